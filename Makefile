@@ -1,0 +1,101 @@
+# sph-render: options first, then flags, then targets.
+# Each option is detected and can be set: make EGL=0 OSMESA=0 CUDA=0 MPI=0
+
+CC       ?= gcc
+BUILD    ?= build
+PREFIX   ?= /usr/local
+OPT      ?= -O2 -g
+WERROR   ?=
+
+have      = $(shell pkg-config --exists $(1) 2>/dev/null && echo 1 || echo 0)
+EGL      ?= $(call have,egl gl)
+OSMESA   ?= $(call have,osmesa)
+LIBAV    ?= $(call have,libavformat libavcodec libswscale libavutil)
+CAIRO    ?= $(call have,cairo)
+NVCC     ?= $(firstword $(wildcard /usr/local/cuda/bin/nvcc) $(shell command -v nvcc 2>/dev/null))
+CUDA     ?= $(if $(NVCC),1,0)
+MPI      ?= $(if $(shell command -v mpicc 2>/dev/null),1,0)
+
+VERSION  := 0.1.0
+PACKAGES := libpng $(if $(filter 1,$(CAIRO)),cairo) $(if $(filter 1,$(LIBAV)),libavformat libavcodec libswscale libavutil)
+DEFINES  := -DSPH_VERSION='"$(VERSION)"' $(foreach o,EGL OSMESA LIBAV CAIRO CUDA MPI,-DHAVE_$(o)=$($(o)))
+OPENMP   := -fopenmp
+# Same bits on every target: no contraction of a*b+c, no reassociation, IEEE square root and division.
+SAFE     := -ffp-contract=off -fno-math-errno -fno-trapping-math
+WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes $(WERROR)
+CFLAGS_  := -std=c11 -D_GNU_SOURCE $(OPT) $(WARN) $(SAFE) $(OPENMP) -Isrc -I$(BUILD)/gen $(DEFINES) \
+            $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null) $(CFLAGS)
+LIBS     := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) $(if $(filter 1,$(EGL)),-lEGL) -ldl -lm -lpthread
+
+SOURCES  := $(sort $(shell find src -name '*.c'))
+OBJECTS  := $(SOURCES:%.c=$(BUILD)/%.o)
+LIBRARY  := $(BUILD)/libsph-render.a
+PROGRAM  := $(BUILD)/sph-render
+SHADERS  := $(wildcard shaders/*)
+SHADER_H := $(SHADERS:shaders/%=$(BUILD)/gen/shaders/%.h)
+TESTS_C  := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/t*.c))
+
+.PHONY: all movie test bench info install clean deps
+all: $(PROGRAM)
+
+$(PROGRAM): $(BUILD)/src/main.o $(LIBRARY)
+	$(CC) $(CFLAGS_) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+$(LIBRARY): $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
+	@rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/src/backend/cpu/isa_avx2.o:   ISA := -mavx2 -mfma
+$(BUILD)/src/backend/cpu/isa_avx512.o: ISA := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mavx2 -mfma -mprefer-vector-width=512
+
+# Flags are part of every object: a change of options rebuilds.
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(CC) $(subst ','\'',$(CFLAGS_))' | cmp -s - $@ || echo '$(CC) $(subst ','\'',$(CFLAGS_))' > $@
+FORCE:
+
+$(BUILD)/%.o: %.c $(BUILD)/flags | $(SHADER_H)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS_) $(ISA) -MMD -MP -c -o $@ $<
+
+# A shader becomes a C string: #include "shaders/NAME.h" as an initializer.
+$(BUILD)/gen/shaders/%.h: shaders/%
+	@mkdir -p $(@D)
+	@sed 's/\\/\\\\/g; s/"/\\"/g; s/^/"/; s/$$/\\n"/' $< > $@
+
+$(BUILD)/tests/%: tests/%.c $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS_) -Itests -MMD -MP -o $@ $< $(LIBRARY) $(LIBS) -lcmocka $(LDFLAGS)
+
+deps:
+	@tools/install-deps
+
+# Detection happens when the Makefile is read, so build anew after installing.
+movie: deps
+	@$(MAKE) --no-print-directory all
+	@mkdir -p out
+	$(PROGRAM) scenes/dambreak.json -o out/dambreak.mp4
+
+test: deps
+	@$(MAKE) --no-print-directory run-tests
+run-tests: all $(TESTS_C)
+	@BUILD=$(BUILD) CC='$(CC)' tests/run
+
+bench: all
+	$(PROGRAM) bench scenes/bench/*.json
+
+info:
+	@echo "sph-render $(VERSION)"
+	@echo "compiler   $(CC): $$($(CC) --version | head -n 1)"
+	@echo "also       $$(command -v clang gcc nvcc mpicc | tr '\n' ' ')"
+	@echo "flags      $(CFLAGS_)"
+	@$(foreach o,EGL OSMESA LIBAV CAIRO CUDA MPI,echo "$(o)=$($(o)) $(if $(filter 1,$($(o))),,(missing; tools/install-deps installs what it needs, or it was set to 0))";)
+
+install: all
+	install -D -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/sph-render
+	mkdir -p $(DESTDIR)$(PREFIX)/share/sph-render && cp -r scenes $(DESTDIR)$(PREFIX)/share/sph-render/
+
+clean:
+	rm -rf $(BUILD) out
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,25 @@
+/* 8-bit RGBA images, and their PNG files. */
+#ifndef BASE_IMAGE_H
+#define BASE_IMAGE_H
+
+#include "base/error.h"
+
+#include <stdint.h>
+#include <stdio.h>
+
+struct image {
+    int width, height; /* pixels */
+    uint8_t *rgba;     /* height rows, top row first, width * 4 bytes each, no padding */
+};
+
+/* Allocates a zeroed image; STATUS_RUN when memory is short. */
+enum status image_create(struct image *image, int width, int height, struct error *e);
+void image_free(struct image *image);
+
+/* Reads any PNG as RGBA8; STATUS_USAGE when the file is missing or no PNG. */
+enum status image_read_png(struct image *image, const char *path, struct error *e);
+
+/* Writes to PATH.part, then fsync and rename, so that PATH is whole or untouched; STATUS_OUTPUT. */
+enum status image_write_png(const struct image *image, const char *path, struct error *e);
+
+#endif

@@ -1,0 +1,50 @@
+/* Writes finished frames to files; encoders are rows, chosen by the output's extension. */
+#ifndef ENCODE_ENCODE_H
+#define ENCODE_ENCODE_H
+
+#include "base/error.h"
+#include "base/image.h"
+#include "base/variant.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct encode_target {
+    const char *path;      /* as given to -o */
+    int width, height;     /* pixels */
+    double fps;
+    bool single;           /* --at: one frame only; x.png is allowed without %d */
+    const char *title;     /* metadata */
+};
+
+struct encode_frame {
+    long index;                /* from 0 */
+    double time;               /* s */
+    const struct image *image; /* NULL when the encoder does not want pixels */
+    uint64_t state_hash;       /* of the particles */
+};
+
+struct encoder; /* each encoder's own state */
+
+struct encoder_row {
+    struct variant variant;
+    const char *const *extensions; /* ".mp4", NULL-terminated; or the whole word "null", "hash" */
+    bool wants_pixels;             /* false: the run may skip drawing altogether */
+    enum status (*open)(struct encoder **, const struct encode_target *, struct error *);
+    /* May return before the frame is on disk; the image may be changed after it returns. */
+    enum status (*frame)(struct encoder *, const struct encode_frame *, struct error *);
+    /* keep: finish the file (also after SIGINT); else leave no trace but an earlier file intact.
+     * Always frees. */
+    enum status (*close)(struct encoder *, bool keep, struct error *);
+};
+
+extern const struct variant_table encode_table; /* "encoders": mp4, png, hash, null */
+
+/* The row for an output name, or NULL with STATUS_USAGE naming the known extensions. */
+const struct encoder_row *encode_find(const char *path, struct error *e);
+
+/* Checks before the run, without writing: directory exists and is writable, pattern is right,
+ * encoder is in this build. */
+enum status encode_check(const struct encode_target *target, struct error *e);
+
+#endif

@@ -1,0 +1,47 @@
+/* Draws particles as lit spheres, off-screen, through one of the GL contexts. */
+#ifndef RENDER_RENDER_H
+#define RENDER_RENDER_H
+
+#include "base/error.h"
+#include "base/image.h"
+#include "base/variant.h"
+#include "scene/scene.h"
+
+#include <stddef.h>
+
+extern const struct variant_table render_contexts; /* "contexts": egl, osmesa */
+extern const struct variant_table render_maps;     /* "maps": viridis, ... */
+
+/* What stays the same for a whole film. */
+struct render_setup {
+    const struct scene *scene;   /* camera, movie.size, color.map, render.*, domain, title */
+    const char *context;         /* row of render_contexts, or "auto" */
+    double radius;               /* drawn sphere radius, m */
+    double range[2];             /* colour range, in the unit below; pinned for the film */
+    const char *label, *unit;    /* of the colour bar: "speed", "m/s" */
+    bool solid;                  /* no colour map: particles carry their own colour */
+};
+
+/* What changes with each frame. Particles in ascending id: of equal depths the first wins. */
+struct render_frame {
+    long index;                  /* frame number, from 0 */
+    double time;                 /* s */
+    size_t count;
+    const float *position;       /* count * 3, m, relative to domain.min */
+    const float *value;          /* count; colour scalar, or NULL when setup.solid */
+    const uint8_t *color;        /* count * 4 RGBA when setup.solid, else NULL */
+};
+
+struct renderer;
+
+/* STATUS_BACKEND when no context can be had; the message says what was tried and what to install.
+ * A renderer may be used by the thread that opened it only. */
+enum status renderer_open(struct renderer **renderer, const struct render_setup *setup,
+                          struct error *e);
+/* Name of context and GL renderer, e.g. "egl (llvmpipe ...)". */
+const char *renderer_name(const struct renderer *renderer);
+enum status renderer_draw(struct renderer *renderer, const struct render_frame *frame,
+                          struct image *image, struct error *e);
+void renderer_close(struct renderer *renderer);
+
+#endif

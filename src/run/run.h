@@ -1,0 +1,33 @@
+/* Runs a scene: plan, particles, steps, frames, outputs, report. */
+#ifndef RUN_RUN_H
+#define RUN_RUN_H
+
+#include "base/error.h"
+#include "scene/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* How to run; none of it changes the bits of the state. */
+struct run_options {
+    const char *const *outputs; /* -o, in order */
+    size_t output_count;
+    double at;                  /* --at T, s: one frame, the state at exactly T; NAN: a film */
+    int threads;                /* 0: all processors */
+    const char *backend;        /* row of the table "backends", or "auto" */
+    const char *context;        /* row of the table "contexts", or "auto" */
+    const char *isa;            /* row of the table "isas", or "auto" */
+    const char *report;         /* JSON file, or NULL */
+    const char *write_scene;    /* file for the effective scene, or NULL */
+};
+
+/* All variant tables, for list, --help and scene_load. */
+extern const struct vocabulary run_vocabulary;
+
+/* Prints the plan and stops. */
+enum status run_plan(const struct scene *scene, const struct run_options *options, FILE *out,
+                     struct error *e);
+enum status run_scene(const struct scene *scene, const struct run_options *options,
+                      struct error *e);
+
+#endif

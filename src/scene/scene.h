@@ -1,0 +1,141 @@
+/* A scene: what a scene file says, complete with defaults, checked, never changed after. SI units. */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "base/error.h"
+#include "scene/key.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* Faces in the order -x +x -y +y -z +z, as in "domain.walls.-x". */
+enum { FACE_COUNT = 6 };
+extern const char *const scene_face_names[FACE_COUNT];
+
+enum wall_kind {
+    WALL_CLOSED,    /* plane that reflects with restitution; nothing passes */
+    WALL_PARTICLES, /* static boundary particles (Akinci 2012) in front of a closed plane */
+    WALL_PERIODIC   /* joined to the opposite face, which must be periodic too */
+};
+
+enum body_shape { BODY_BOX, BODY_SPHERE, BODY_CYLINDER };
+enum body_fill { FILL_GRID, FILL_RANDOM };
+
+struct scene_fluid {
+    char name[KEY_TEXT_SIZE];
+    double density;        /* rest density, kg/m^3 */
+    double viscosity;      /* dynamic viscosity, Pa s */
+    double color[3];       /* for color.by = "solid", 0..1 */
+};
+
+struct scene_body {
+    int fluid;             /* index into fluids */
+    enum body_shape shape;
+    double min[3], max[3]; /* box */
+    double center[3];      /* sphere; middle of a cylinder's axis */
+    double radius, height; /* sphere and cylinder; cylinder's full height along axis */
+    int axis;              /* cylinder: 0 x, 1 y, 2 z */
+    enum body_fill fill;
+    double jitter;         /* standard deviation of displacement from the lattice, in spacings */
+    uint64_t seed;
+    double velocity[3];    /* m/s */
+};
+
+struct scene_option { /* a variant's own key, by path */
+    char path[KEY_TEXT_SIZE];
+    enum key_type type;
+    union { bool flag; int64_t integer; double real; char text[KEY_TEXT_SIZE]; double vector[3]; } value;
+};
+
+struct scene {
+    char source[4096];     /* file it came from */
+    char title[KEY_TEXT_SIZE];
+    double gravity[3];     /* m/s^2 */
+
+    struct {
+        double min[3], max[3]; /* m */
+        enum wall_kind walls[FACE_COUNT];
+        double restitution;    /* normal velocity kept by a bounce, 0..1 */
+        double friction;       /* tangential velocity lost by a bounce, 0..1 */
+    } domain;
+
+    struct { double spacing; } particles; /* initial distance d of neighbours, m */
+
+    struct scene_fluid *fluids;
+    size_t fluid_count;    /* at least 1 */
+    struct scene_body *bodies;
+    size_t body_count;     /* may be 0 */
+
+    struct {
+        char method[KEY_TEXT_SIZE];   /* table "solvers" */
+        char kernel[KEY_TEXT_SIZE];   /* table "kernels"; "auto": the method's */
+        double support;               /* support radius / spacing; NAN: the kernel's */
+        double skin;                  /* extra list radius / support radius; NAN: chosen */
+    } solver;
+
+    char neighbours[KEY_TEXT_SIZE];   /* table "neighbours"; "auto" */
+
+    struct {
+        double end;        /* s */
+        double step;       /* upper bound of the time step, s; NAN: chosen */
+        double cfl;        /* C1 of the acoustic limit; NAN: the method's */
+    } time;
+
+    struct {
+        int size[2];       /* pixels */
+        double fps;        /* frames per second of film = frames per `speed` seconds of scene */
+        double start;      /* first frame, s */
+        double speed;      /* scene seconds per film second; 0.5 is slow motion */
+    } movie;
+
+    struct {
+        double eye[3], target[3], up[3]; /* m; eye NAN (auto): frames the domain */
+        double fov;                      /* vertical, degrees */
+        double orbit_period;             /* s of scene time per turn about `up`; 0: still */
+    } camera;
+
+    struct {
+        char by[KEY_TEXT_SIZE];  /* table "colors" */
+        char map[KEY_TEXT_SIZE]; /* table "maps" */
+        double range[2];         /* NAN: physical estimate; pinned for the film */
+        bool legend;             /* colour bar with label and unit */
+    } color;
+
+    struct {
+        double background[3]; /* 0..1 */
+        double radius;        /* drawn radius / spacing */
+        bool box, time, title;/* wireframe, time stamp, title */
+        bool boundary;        /* draw static boundary particles */
+    } render;
+
+    struct scene_option *options;
+    size_t option_count;
+};
+
+/* Settings from the command line, applied over the file: "key.path=value". */
+struct scene_overrides {
+    const char *const *items;
+    size_t count;
+};
+
+/* Reads and checks a whole scene. On failure (STATUS_USAGE) the message is
+ * "FILE:LINE:COL: what is wrong; what to do" and *scene is NULL. Free with scene_free. */
+enum status scene_load(struct scene **scene, const char *path, const struct scene_overrides *set,
+                       const struct vocabulary *vocabulary, struct error *e);
+void scene_free(struct scene *scene);
+
+/* The value of a variant's own key; the key must be in the vocabulary the scene was loaded with. */
+double scene_real(const struct scene *scene, const char *path);
+bool scene_flag(const struct scene *scene, const char *path);
+const char *scene_text(const struct scene *scene, const char *path);
+
+/* Writes every key with its value in force, as a scene file that loads to the same scene. */
+void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);
+
+/* JSON Schema (draft 2020-12) of scene files; and a table of all keys for a person. */
+void scene_write_schema(const struct vocabulary *vocabulary, FILE *out);
+void scene_write_keys(const struct vocabulary *vocabulary, FILE *out);
+
+#endif
