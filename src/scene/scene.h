@@ -58,7 +58,7 @@ struct scene {
         double min[3], max[3]; /* m */
         enum wall_kind walls[FACE_COUNT];
         double restitution;    /* normal velocity kept by a bounce, 0..1 */
-        double friction;       /* tangential velocity lost by a bounce, 0..1 */
+        bool no_slip;          /* closed walls drag with the fluid's viscosity */
     } domain;
 
     struct { double spacing; } particles; /* initial distance d of neighbours, m */

@@ -1,0 +1,68 @@
+/* Back ends: where particles live and passes run. The loop sees this interface only. */
+#ifndef BACKEND_BACKEND_H
+#define BACKEND_BACKEND_H
+
+#include "base/error.h"
+#include "base/variant.h"
+#include "grid/search.h"
+#include "particles/particles.h"
+#include "particles/space.h"
+#include "solver/solver.h"
+
+struct backend_setup {
+    const struct solver_choice *choice;
+    const struct space *space;
+    const struct search_row *search;
+    const char *isa;  /* row of "isas", or "auto" */
+    int threads;      /* 0: all processors */
+    unsigned fields;  /* planned fields */
+    size_t fluid_count;
+};
+
+/* Lists may reach this much further than the support; beyond it the loop sorts anew. */
+#define SKIN_MAX 0.25
+
+/* Scalars of one step, in and out. */
+struct step {
+    float dt;          /* s, for predict and correct */
+    double list_radius;/* m, for sort and neighbours */
+    struct extremes extremes; /* of the last predict or correct pass */
+};
+
+/* Work done so far. */
+struct backend_counts {
+    double pairs;      /* evaluated, with list entries beyond the support */
+    double row_entries;/* of the present rows */
+    double seconds[PASS_COUNT];
+    long runs[PASS_COUNT];
+};
+
+struct backend; /* each back end's own state */
+
+struct backend_row {
+    struct variant variant;
+    /* Takes over `particles` (positions, velocities, densities, ids, fluids set) and the wall
+     * particles, which may be empty. */
+    enum status (*open)(struct backend **backend, const struct backend_setup *setup,
+                        struct particles *particles, struct particles *walls, struct error *e);
+    enum status (*run)(struct backend *backend, enum pass_id pass, struct step *step,
+                       struct error *e);
+    /* Keeps the present state as the one before; predict then makes the new present one. */
+    void (*begin)(struct backend *backend);
+    /* Undoes begin and all passes since: the state before is the present one again. */
+    void (*reject)(struct backend *backend);
+    /* The present particles in host memory, in any order; valid until the next call. */
+    const struct particles *(*state)(struct backend *backend);
+    const struct particles *(*walls)(struct backend *backend);
+    const struct backend_counts *(*counts)(struct backend *backend);
+    /* "cpu (avx512, 2 threads)" */
+    const char *(*describe)(struct backend *backend);
+    /* Measured multiply-add peak in FLOP/s on the same threads and lanes. */
+    double (*peak)(struct backend *backend);
+    void (*close)(struct backend *backend);
+};
+
+extern const struct variant_table backend_table; /* "backends" */
+extern const struct backend_row backend_cpu;
+
+#endif

@@ -1,0 +1,251 @@
+/* The cpu back end: OpenMP threads over blocks of particles, SIMD lanes within them. */
+#include "backend/cpu/cpu.h"
+
+#include "base/log.h"
+#include "base/memory.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static enum status choose_isa(struct backend *b, const char *name, struct error *e)
+{
+    const struct isa_row *row = (const struct isa_row *)variant_find(&isa_table, name);
+    if (row && !row->supported())
+        return error_set(e, STATUS_USAGE, "--isa %s: this processor does not have it; use auto",
+                         name);
+    for (size_t i = 0; !row && i < isa_table.count; i++)
+        if (((const struct isa_row *)isa_table.rows[i])->supported())
+            row = (const struct isa_row *)isa_table.rows[i];
+    b->isa = row;
+    return STATUS_OK;
+}
+
+static enum status allocate(struct backend *b, struct error *e)
+{
+    size_t n = b->particles.count, w = b->wall.count, most = n > w ? n : w;
+    size_t padded = n + 2 * PARTICLE_BLOCK, wall_padded = w + 2 * PARTICLE_BLOCK;
+    b->order = memory_create("sort", most + 1, sizeof(uint32_t), e);
+    b->scratch = memory_create("sort", most + 1, sizeof(uint32_t), e);
+    b->spare = memory_create("sort", most + 1, sizeof(struct position), e);
+    bool ok = b->order && b->scratch && b->spare;
+    for (int a = 0; a < 3; a++) {
+        b->axis[a] = memory_create("coordinates", padded, sizeof(uint32_t), e);
+        ok = ok && b->axis[a];
+        if (w)
+            b->wall_axis[a] = memory_create("coordinates", wall_padded, sizeof(uint32_t), e);
+        ok = ok && (!w || b->wall_axis[a]);
+    }
+    if (!b->choice.continuity) {
+        b->number = memory_create("kernel sums", padded, sizeof(float), e);
+        ok = ok && b->number;
+    }
+    if (!ok || rows_create(&b->rows, n, b->threads, e) ||
+        (w && rows_create(&b->wall_rows, n, b->threads, e)))
+        return e->status;
+    return STATUS_OK;
+}
+
+static struct row_build row_build(const struct backend *b, double radius)
+{
+    double reach = radius / b->choice.smoothing_length;
+    struct row_build work = {
+        .search = b->search,
+        .cells = &b->cells,
+        .points = particles_position(&b->particles),
+        .point_count = b->particles.count,
+        .axis = {b->axis[0], b->axis[1], b->axis[2]},
+        .candidate_count = b->particles.count,
+        .same = true,
+        .limit = (float)(reach * reach),
+    };
+    memcpy(work.scale, b->choice.pair.scale, sizeof work.scale);
+    return work;
+}
+
+/* Volumes of wall particles, V_b = 1 / sum_k W_bk over the wall particles (Akinci et al. 2012). */
+static enum status weigh_walls(struct backend *b, struct error *e)
+{
+    double reach = b->choice.support * (1 + SKIN_MAX);
+    struct rows rows = {0};
+    struct row_build work = row_build(b, b->choice.support);
+    struct position *wall;
+    float *number = memory_create("kernel sums", b->wall.count + PARTICLE_BLOCK, sizeof *number, e);
+    if (!number || cpu_sort(b, &b->wall, &b->wall_cells, b->wall_axis, reach, e) ||
+        rows_create(&rows, b->wall.count, b->threads, e))
+        goto done;
+    wall = particles_position(&b->wall);
+    work.cells = &b->wall_cells;
+    work.points = wall;
+    work.point_count = work.candidate_count = b->wall.count;
+    for (int a = 0; a < 3; a++)
+        work.axis[a] = b->wall_axis[a];
+    if (rows_build(&rows, &work, b->isa, true, e))
+        goto done;
+    struct pair_work pairs = {.constants = b->choice.pair, .position = wall, .number = number,
+                              .rows = rows.block, .row_count = rows.count,
+                              .count = b->wall.count};
+    b->density(&pairs, 0, (b->wall.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK);
+    for (size_t i = 0; i < b->wall.count; i++)
+        wall[i].volume = 1 / (b->choice.pair.density * number[i]);
+done:
+    memory_free(number);
+    rows_free(&rows);
+    return e->status;
+}
+
+static void cpu_close(struct backend *b)
+{
+    if (!b)
+        return;
+    particles_free(&b->particles);
+    particles_free(&b->wall);
+    cells_free(&b->cells);
+    cells_free(&b->wall_cells);
+    rows_free(&b->rows);
+    rows_free(&b->wall_rows);
+    for (int a = 0; a < 3; a++) {
+        memory_free(b->axis[a]);
+        memory_free(b->wall_axis[a]);
+    }
+    memory_free(b->order);
+    memory_free(b->scratch);
+    memory_free(b->spare);
+    memory_free(b->number);
+    free(b);
+}
+
+static enum status cpu_open(struct backend **out, const struct backend_setup *setup,
+                            struct particles *particles, struct particles *walls, struct error *e)
+{
+    struct backend *b = calloc(1, sizeof *b);
+    *out = NULL;
+    e->status = STATUS_OK;
+    if (!b)
+        return error_set(e, STATUS_RUN, "out of memory");
+    b->choice = *setup->choice;
+    b->space = *setup->space;
+    b->search = setup->search;
+    b->threads = setup->threads > 0 ? setup->threads : omp_get_num_procs();
+    omp_set_num_threads(b->threads);
+    b->particles = *particles;
+    b->wall = *walls;
+    *particles = *walls = (struct particles){0};
+    if (choose_isa(b, setup->isa, e))
+        goto failed;
+    b->density = b->isa->find(PAIR_PASS_DENSITY, b->choice.flags, false);
+    b->force = b->isa->find(PAIR_PASS_FORCE, b->choice.flags, b->wall.count > 0);
+    if (!b->force) {
+        error_set(e, STATUS_RUN, "no pair pass for flags %u", b->choice.flags);
+        goto failed;
+    }
+    if (allocate(b, e) || (b->wall.count && weigh_walls(b, e)))
+        goto failed;
+    snprintf(b->text, sizeof b->text, "cpu (%s, %d thread%s)", b->isa->variant.name, b->threads,
+             b->threads == 1 ? "" : "s");
+    *out = b;
+    return STATUS_OK;
+failed:
+    cpu_close(b);
+    return e->status;
+}
+
+static enum status build_neighbours(struct backend *b, double radius, struct error *e)
+{
+    struct row_build work = row_build(b, radius);
+    if (rows_build(&b->rows, &work, b->isa, true, e))
+        return e->status;
+    if (b->wall.count) {
+        work.cells = &b->wall_cells;
+        work.candidate_count = b->wall.count;
+        work.same = false;
+        for (int a = 0; a < 3; a++)
+            work.axis[a] = b->wall_axis[a];
+        if (rows_build(&b->wall_rows, &work, b->isa, false, e))
+            return e->status;
+    }
+    b->counts.row_entries = b->rows.entries + b->wall_rows.entries;
+    return STATUS_OK;
+}
+
+static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *step,
+                           struct error *e)
+{
+    double start = clock_seconds();
+    e->status = STATUS_OK;
+    switch (pass) {
+    case PASS_SORT:
+        cpu_sort(b, &b->particles, &b->cells, b->axis, step->list_radius, e);
+        break;
+    case PASS_NEIGHBOURS: build_neighbours(b, step->list_radius, e); break;
+    case PASS_PREDICT: cpu_predict(b, step); break;
+    case PASS_DENSITY: cpu_pairs(b, b->density); break;
+    case PASS_PRESSURE: cpu_pressure(b); break;
+    case PASS_FORCE: cpu_pairs(b, b->force); break;
+    case PASS_WALLS: cpu_walls(b); break;
+    case PASS_CORRECT: cpu_correct(b, step); break;
+    case PASS_COUNT: break;
+    }
+    b->counts.seconds[pass] += clock_seconds() - start;
+    b->counts.runs[pass]++;
+    return e->status;
+}
+
+static void cpu_swap(struct backend *b)
+{
+    particles_swap(&b->particles);
+}
+
+static const struct particles *cpu_state(struct backend *b)
+{
+    return &b->particles;
+}
+
+static const struct particles *cpu_wall_state(struct backend *b)
+{
+    return &b->wall;
+}
+
+static const struct backend_counts *cpu_counts(struct backend *b)
+{
+    return &b->counts;
+}
+
+static const char *cpu_describe(struct backend *b)
+{
+    return b->text;
+}
+
+static double cpu_peak(struct backend *b)
+{
+    double best = 0;
+    for (int trial = 0; trial < 5; trial++) {
+        double flops = 0, start = clock_seconds();
+        float sink = 0;
+#pragma omp parallel reduction(+ : flops, sink)
+        {
+            float own;
+            flops += b->isa->peak(2000000, &own);
+            sink += own;
+        }
+        double rate = flops / (clock_seconds() - start);
+        best = rate > best && sink == sink ? rate : best;
+    }
+    return best;
+}
+
+const struct backend_row backend_cpu = {
+    .variant = {.name = "cpu", .doc = "OpenMP threads and SIMD lanes"},
+    .open = cpu_open,
+    .run = cpu_run,
+    .begin = cpu_swap,
+    .reject = cpu_swap,
+    .state = cpu_state,
+    .walls = cpu_wall_state,
+    .counts = cpu_counts,
+    .describe = cpu_describe,
+    .peak = cpu_peak,
+    .close = cpu_close,
+};

@@ -1,0 +1,38 @@
+/* State of the cpu back end, shared by its files. */
+#ifndef BACKEND_CPU_CPU_H
+#define BACKEND_CPU_CPU_H
+
+#include "backend/backend.h"
+#include "backend/cpu/isa.h"
+#include "backend/cpu/rows.h"
+
+struct backend {
+    struct solver_choice choice;
+    struct space space;
+    const struct search_row *search;
+    const struct isa_row *isa;
+    int threads;
+    struct particles particles, wall;
+    struct cells cells, wall_cells;
+    struct rows rows, wall_rows;
+    uint32_t *order, *scratch;       /* particle indices */
+    uint32_t *axis[3], *wall_axis[3];/* coordinates by axis, for the row build */
+    void *spare;                     /* one field's worth of particles, for permuting */
+    float *number;                   /* sum w; only with density by summation */
+    pair_function *density, *force;
+    struct backend_counts counts;
+    char text[128];
+};
+
+/* Sorts particles for rows of radius `radius` (m), and makes their coordinates by axis. */
+enum status cpu_sort(struct backend *b, struct particles *p, struct cells *cells,
+                     uint32_t *const axis[3], double radius, struct error *e);
+
+/* The passes over particles. */
+void cpu_predict(struct backend *b, struct step *step);
+void cpu_correct(struct backend *b, struct step *step);
+void cpu_pressure(struct backend *b);
+void cpu_walls(struct backend *b);
+void cpu_pairs(struct backend *b, pair_function *pass);
+
+#endif

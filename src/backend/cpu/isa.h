@@ -1,0 +1,77 @@
+/* Instruction sets: one row each, all compiled from the same loops (pair_loops.h). */
+#ifndef BACKEND_CPU_ISA_H
+#define BACKEND_CPU_ISA_H
+
+#include "base/variant.h"
+#include "grid/search.h"
+#include "particles/particles.h"
+#include "solver/pair_constants.h"
+
+#include <stdbool.h>
+
+/* Neighbour rows of one block of 16 particles: entry k of lane l is index[16 k + l]; lanes with
+ * fewer than `length` neighbours repeat the particle itself. */
+struct row_block {
+    uint32_t *index;
+    uint32_t length;
+};
+
+/* What a row build reads. `points` are the particles that get rows, `axis` the candidates. */
+struct row_build {
+    const struct cells *cells;
+    const struct search_row *search;
+    const struct position *points;
+    size_t point_count;
+    const uint32_t *axis[3];  /* candidates' coordinates, padded by a block */
+    size_t candidate_count;
+    bool same;                /* candidates are the points: leave the particle itself out */
+    float scale[3];           /* counts to smoothing lengths */
+    float limit;              /* square of the list radius, in smoothing lengths */
+};
+
+/* Rows of one block as they are being built: 16 lists of `room` entries each. */
+struct row_scratch {
+    uint32_t *list;
+    size_t room;
+    uint32_t count[PARTICLE_BLOCK];
+};
+
+/* What a pair pass reads and writes; arrays are those of struct particles. */
+struct pair_work {
+    struct pair_constants constants;
+    const struct position *position;
+    const struct motion *motion;
+    const float *viscosity;    /* per particle, or NULL */
+    const float *density;      /* present density, kg/m^3 */
+    const float *rest_density; /* of each fluid, kg/m^3 */
+    const uint8_t *fluid;      /* or NULL */
+    struct rate *rate;         /* written by the force pass */
+    float *number;             /* written by the density pass: sum w, to be scaled */
+    const struct row_block *rows;
+    const uint32_t *row_count; /* neighbours of each particle, padded to blocks */
+    const struct position *wall;         /* wall particles, or NULL */
+    const struct row_block *wall_rows;
+    const uint32_t *wall_row_count;
+    size_t count;
+};
+
+typedef void pair_function(const struct pair_work *work, size_t first_block, size_t last_block);
+
+enum pair_pass { PAIR_PASS_DENSITY, PAIR_PASS_FORCE };
+
+struct isa_row {
+    struct variant variant;
+    bool (*supported)(void);
+    /* Lists of the particles of `block`; scratch->room must hold all their candidates + 16. */
+    void (*build)(const struct row_build *work, size_t block, struct row_scratch *scratch);
+    /* Turns 16 lists of `length` (a multiple of 4) entries into rows[k][16]. */
+    void (*interleave)(const struct row_scratch *scratch, uint32_t length, uint32_t *rows);
+    pair_function *(*find)(enum pair_pass pass, unsigned flags, bool walls);
+    /* Seconds-free peak probe: `rounds` dependent chains of FMA in all lanes; returns the FLOPs. */
+    double (*peak)(long rounds, float *sink);
+};
+
+extern const struct variant_table isa_table; /* "isas" */
+extern const struct isa_row isa_scalar, isa_avx2, isa_avx512;
+
+#endif

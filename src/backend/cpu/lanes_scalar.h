@@ -1,0 +1,81 @@
+/* One lane: plain C floats, the reference for the vector versions. */
+#ifndef BACKEND_CPU_LANES_SCALAR_H
+#define BACKEND_CPU_LANES_SCALAR_H
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+enum { LANES = 1 };
+typedef float real;
+
+static inline real real_set(float x)
+{
+    return x;
+}
+static inline real real_load(const float *p)
+{
+    return *p;
+}
+static inline void real_store(float *p, real x)
+{
+    *p = x;
+}
+static inline real real_fma(real a, real b, real c)
+{
+    return fmaf(a, b, c);
+}
+/* max(x, 0); also +0 for -0 and NaN, like the vector instruction. */
+static inline real real_positive(real x)
+{
+    return x > 0 ? x : 0;
+}
+/* First guess of 1/sqrt(x) from the bits of x, error 3.4 % (real_rsqrt in pair_loops.h). */
+static inline real real_rsqrt_guess(real x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, 4);
+    bits = 0x5f375a86u - (bits >> 1);
+    memcpy(&x, &bits, 4);
+    return x;
+}
+/* Signed difference of fixed-point coordinates, as float. */
+static inline real real_difference(real a, real b)
+{
+    uint32_t x, y;
+    memcpy(&x, &a, 4);
+    memcpy(&y, &b, 4);
+    return (float)(int32_t)(x - y);
+}
+/* x in lanes where k < count, otherwise y. */
+static inline real real_below(uint32_t k, const uint32_t *count, real x, real y)
+{
+    return k < *count ? x : y;
+}
+/* The four words of the records at LANES indices. */
+static inline void records_load(const void *records, const uint32_t *index, real out[4])
+{
+    memcpy(out, (const char *)records + 16 * (size_t)*index, 16);
+}
+static inline real lookup_load(const float *values, const uint32_t *index)
+{
+    return values[*index];
+}
+
+/* Appends to `out` the candidates first..last-1 within sqrt(limit) of `point`, leaving out `self`;
+ * coordinates are by axis; returns the new length. */
+static inline uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
+                                    const uint32_t point[3], const float scale[3], float limit,
+                                    uint32_t first, uint32_t last, uint32_t self)
+{
+    for (uint32_t j = first; j < last; j++) {
+        float x = (float)(int32_t)(point[0] - axis[0][j]) * scale[0];
+        float y = (float)(int32_t)(point[1] - axis[1][j]) * scale[1];
+        float z = (float)(int32_t)(point[2] - axis[2][j]) * scale[2];
+        *out = j;
+        out += fmaf(z, z, fmaf(y, y, x * x)) < limit && j != self;
+    }
+    return out;
+}
+
+#endif

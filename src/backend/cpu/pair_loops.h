@@ -1,0 +1,263 @@
+/* The loops around the pair bodies, included once per instruction set after its lanes_*.h.
+ *
+ * Lane = particle: each lane adds its own neighbours one at a time, in the order of its row, so the
+ * sum does not depend on how many lanes there are. */
+#include "backend/cpu/isa.h"
+
+#include "solver/pair.h"
+
+/* The flags are constants only in an inlined copy. */
+#define FORCE_INLINE static inline __attribute__((always_inline))
+
+/* 1/sqrt(x) to the last bit or two, in plain arithmetic, hence the same bits on every target and
+ * several times faster than square root and division: the bit guess, one cubic (Halley-like) and
+ * one Newton step. Finite at x = 0. */
+static inline real real_rsqrt(real x)
+{
+    real y = real_rsqrt_guess(x);
+    real e = (x * y) * y;
+    y = y * real_fma(e, real_fma(e, real_set(0.375f), real_set(-1.25f)), real_set(1.875f));
+    e = (x * y) * y;
+    return y * real_fma(e, real_set(-0.5f), real_set(1.5f));
+}
+
+struct lane_point {
+    real x, y, z; /* fixed-point bits */
+    real sx, sy, sz;
+};
+
+FORCE_INLINE struct pair pair_between(const struct lane_point *i, const real other[4])
+{
+    struct pair p;
+    p.x = real_difference(i->x, other[0]) * i->sx;
+    p.y = real_difference(i->y, other[1]) * i->sy;
+    p.z = real_difference(i->z, other[2]) * i->sz;
+    p.q2 = real_fma(p.z, p.z, real_fma(p.y, p.y, p.x * p.x));
+    p.inverse = real_rsqrt(p.q2);
+    p.q = p.q2 * p.inverse;
+    return p;
+}
+
+static const uint32_t lane_ramp[PARTICLE_BLOCK] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                   8, 9, 10, 11, 12, 13, 14, 15};
+
+static inline uint32_t longest(const uint32_t *count)
+{
+    uint32_t most = 0;
+    for (int l = 0; l < LANES; l++)
+        most = count[l] > most ? count[l] : most;
+    return most;
+}
+
+static inline struct lane_point point_load(const struct pair_work *w, size_t first, real *volume)
+{
+    real record[4];
+    const float *scale = w->constants.scale;
+    records_load(w->position + first, lane_ramp, record);
+    *volume = record[3];
+    return (struct lane_point){record[0],          record[1],          record[2],
+                               real_set(scale[0]), real_set(scale[1]), real_set(scale[2])};
+}
+
+/* Density by summation: number[i] = w(0) + sum_j w(q_ij). Padded entries must not count. */
+FORCE_INLINE void density_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                                  const unsigned flags)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
+        uint32_t length = longest(w->row_count + i);
+        real volume, sum = real_set(w->constants.self);
+        struct lane_point point = point_load(w, i, &volume);
+        for (uint32_t k = 0; k < length; k++) {
+            real other[4], far = real_set(16);
+            records_load(w->position, row + (size_t)k * PARTICLE_BLOCK, other);
+            struct pair p = pair_between(&point, other);
+            p.q2 = real_below(k, w->row_count + i, p.q2, far);
+            p.q = real_below(k, w->row_count + i, p.q, far);
+            pair_density(&sum, &p, flags);
+        }
+        real_store(w->number + i, sum);
+    }
+}
+
+struct lane_particle {
+    struct lane_point point;
+    struct pair_state state;
+    struct pair_lane_constants constants;
+    struct pair_sums sums;
+};
+
+FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_t i,
+                                                 const unsigned flags)
+{
+    struct lane_particle p;
+    real motion[4];
+    float rest[LANES], inverse[LANES];
+    const float *head = w->constants.head;
+    p.point = point_load(w, i, &p.state.volume);
+    records_load(w->motion + i, lane_ramp, motion);
+    p.state.vx = motion[0], p.state.vy = motion[1], p.state.vz = motion[2];
+    p.state.pressure = motion[3];
+    p.state.viscosity = flags & PAIR_OWN_VISCOSITY ? real_load(w->viscosity + i) : real_set(0);
+    for (int l = 0; l < LANES; l++) {
+        rest[l] = w->rest_density[w->fluid ? w->fluid[i + (size_t)l] : 0];
+        inverse[l] = flags & PAIR_SYMMETRIC ? 1 / w->position[i + (size_t)l].volume : 0;
+    }
+    real rho0 = real_load(rest), zero = real_set(0);
+    p.state.inverse_volume = real_load(inverse);
+    p.constants = (struct pair_lane_constants){
+        real_set(w->constants.viscosity), real_set(w->constants.inverse_h),
+        real_set(w->constants.artificial), rho0 * real_set(head[0]),
+        rho0 * real_set(head[1]),         rho0 * real_set(head[2])};
+    p.sums = (struct pair_sums){zero, zero, zero, zero, zero};
+    return p;
+}
+
+/* dv/dt = g + gradient/rho_i sums; drho/dt = gradient (rho_i divergence + diffusion). */
+static inline void rate_store(const struct pair_work *w, size_t i, const struct pair_sums *s)
+{
+    const struct pair_constants *c = &w->constants;
+    float sum[5][LANES];
+    real_store(sum[0], s->ax);
+    real_store(sum[1], s->ay);
+    real_store(sum[2], s->az);
+    real_store(sum[3], s->divergence);
+    real_store(sum[4], s->diffusion);
+    for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+        struct rate *rate = &w->rate[i + l];
+        float density = w->density[i + l], front = c->gradient / density;
+        for (int a = 0; a < 3; a++)
+            rate->acceleration[a] = c->gravity[a] + front * sum[a][l];
+        rate->density = c->gradient * (density * sum[3][l] + c->diffusion * sum[4][l]);
+    }
+}
+
+FORCE_INLINE void force_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                                const unsigned flags, const bool walls)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
+        uint32_t length = longest(w->row_count + i);
+        struct lane_particle self = particle_load(w, i, flags);
+        for (uint32_t k = 0; k < length; k++) {
+            const uint32_t *index = row + (size_t)k * PARTICLE_BLOCK;
+            real other[4], motion[4];
+            records_load(w->position, index, other);
+            records_load(w->motion, index, motion);
+            struct pair p = pair_between(&self.point, other);
+            struct pair_state j = {.volume = other[3], .vx = motion[0], .vy = motion[1],
+                                   .vz = motion[2], .pressure = motion[3]};
+            j.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
+                                                     : real_set(0);
+            pair_force(&self.sums, &self.state, &j, &p, &self.constants, flags);
+        }
+        if (walls) {
+            row = w->wall_rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
+            length = longest(w->wall_row_count + i);
+            for (uint32_t k = 0; k < length; k++) {
+                real other[4], far = real_set(16);
+                records_load(w->wall, row + (size_t)k * PARTICLE_BLOCK, other);
+                struct pair p = pair_between(&self.point, other);
+                p.q = real_below(k, w->wall_row_count + i, p.q, far);
+                pair_wall(&self.sums, &self.state, other[3], &p, &self.constants, flags);
+            }
+        }
+        rate_store(w, i, &self.sums);
+    }
+}
+
+/* One function per combination that a solver can ask for: kernel, viscosity, artificial viscosity,
+ * density, pressure form; with and without wall particles. The flags are constants inside. */
+#define FORCE(flags)                                                                               \
+    static void force_##flags(const struct pair_work *w, size_t first, size_t last)                \
+    {                                                                                              \
+        force_blocks(w, first, last, flags, false);                                                \
+    }                                                                                              \
+    static void force_walls_##flags(const struct pair_work *w, size_t first, size_t last)          \
+    {                                                                                              \
+        force_blocks(w, first, last, flags, true);                                                 \
+    }
+#include "backend/cpu/pair_combinations.h"
+#undef FORCE
+
+#define FORCE(flags) [flags] = force_##flags,
+static pair_function *const force_table[PAIR_FLAGS_END] = {
+#include "backend/cpu/pair_combinations.h"
+};
+#undef FORCE
+
+#define FORCE(flags) [flags] = force_walls_##flags,
+static pair_function *const force_walls_table[PAIR_FLAGS_END] = {
+#include "backend/cpu/pair_combinations.h"
+};
+#undef FORCE
+
+static void density_wendland(const struct pair_work *w, size_t first, size_t last)
+{
+    density_blocks(w, first, last, 0);
+}
+static void density_cubic(const struct pair_work *w, size_t first, size_t last)
+{
+    density_blocks(w, first, last, KERNEL_CUBIC);
+}
+static void density_muller(const struct pair_work *w, size_t first, size_t last)
+{
+    density_blocks(w, first, last, PAIR_MULLER);
+}
+
+static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls)
+{
+    if (pass == PAIR_PASS_DENSITY)
+        return flags & PAIR_MULLER ? density_muller
+               : flags & KERNEL_CUBIC ? density_cubic
+                                      : density_wendland;
+    return walls ? force_walls_table[flags] : force_table[flags];
+}
+
+static void loops_build(const struct row_build *b, size_t block, struct row_scratch *scratch)
+{
+    for (size_t l = 0; l < PARTICLE_BLOCK; l++) {
+        size_t i = block * PARTICLE_BLOCK + l;
+        uint32_t *list = scratch->list + l * scratch->room, *end = list;
+        struct range ranges[RANGES_MAX];
+        scratch->count[l] = 0;
+        if (i >= b->point_count)
+            continue;
+        const uint32_t *point = b->points[i].count;
+        int n = b->search->ranges(b->cells, point, b->candidate_count, ranges);
+        for (int r = 0; r < n; r++)
+            end = rows_append(end, b->axis, point, b->scale, b->limit, ranges[r].first,
+                              ranges[r].last, b->same ? (uint32_t)i : UINT32_MAX);
+        scratch->count[l] = (uint32_t)(end - list);
+    }
+}
+
+/* Four lists at a time, four entries at a time: a 4 x 4 transpose that compilers vectorise. */
+static void loops_interleave(const struct row_scratch *scratch, uint32_t length, uint32_t *rows)
+{
+    for (size_t l = 0; l < PARTICLE_BLOCK; l += 4) {
+        const uint32_t *a = scratch->list + l * scratch->room, *b = a + scratch->room;
+        const uint32_t *c = b + scratch->room, *d = c + scratch->room;
+        for (uint32_t k = 0; k < length; k++) {
+            uint32_t *out = rows + (size_t)k * PARTICLE_BLOCK + l;
+            out[0] = a[k], out[1] = b[k], out[2] = c[k], out[3] = d[k];
+        }
+    }
+}
+
+static double loops_peak(long rounds, float *sink)
+{
+    enum { CHAINS = 12 };
+    real x[CHAINS], a = real_set(0.999f), b = real_set(1e-3f);
+    float out[LANES];
+    for (int c = 0; c < CHAINS; c++)
+        x[c] = real_set((float)c);
+    for (long r = 0; r < rounds; r++)
+        for (int c = 0; c < CHAINS; c++)
+            x[c] = real_fma(x[c], a, b);
+    for (int c = 1; c < CHAINS; c++)
+        x[0] = x[0] + x[c];
+    real_store(out, x[0]);
+    *sink = out[0];
+    return 2.0 * CHAINS * LANES * (double)rounds;
+}

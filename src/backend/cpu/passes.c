@@ -1,0 +1,136 @@
+/* The passes over particles on the cpu: bodies from solver/, loops over threads from here. */
+#include "backend/cpu/cpu.h"
+
+#include <float.h>
+#include <math.h>
+
+static struct extremes extremes_none(void)
+{
+    return (struct extremes){.low_density = FLT_MAX, .bad = UINT32_MAX};
+}
+
+static void extremes_merge(struct extremes *a, const struct extremes *b)
+{
+    a->speed2 = b->speed2 > a->speed2 ? b->speed2 : a->speed2;
+    a->acceleration2 = b->acceleration2 > a->acceleration2 ? b->acceleration2 : a->acceleration2;
+    a->move2 = b->move2 > a->move2 ? b->move2 : a->move2;
+    a->low_density = b->low_density < a->low_density ? b->low_density : a->low_density;
+    a->bad = b->bad < a->bad ? b->bad : a->bad;
+}
+
+static float square(const float v[3])
+{
+    return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+}
+
+void cpu_predict(struct backend *b, struct step *step)
+{
+    const struct explicit_constants *c = &b->choice.each;
+    struct particles *p = &b->particles;
+    const struct position *x0 = p->before[FIELD_POSITION];
+    const struct motion *v0 = p->before[FIELD_MOTION];
+    const struct rate *rate = p->before[FIELD_RATE];
+    const float *density0 = p->before[FIELD_DENSITY];
+    float limit = 0.25f * c->spacing * c->spacing; /* half a spacing */
+    struct extremes all = extremes_none();
+#pragma omp parallel
+    {
+        struct extremes own = extremes_none();
+#pragma omp for schedule(static)
+        for (size_t i = 0; i < p->count; i++) {
+            float density = 0;
+            float move2 = explicit_predict(c, particles_fluid(p, i), step->dt, &x0[i], &v0[i],
+                                           &rate[i], density0[i], &particles_position(p)[i],
+                                           &particles_motion(p)[i], &density);
+            particles_density(p)[i] = density;
+            own.move2 = move2 > own.move2 ? move2 : own.move2;
+            if (!(move2 <= limit) || !(density > 0)) {
+                uint32_t id = particles_id(p)[i];
+                own.bad = id < own.bad ? id : own.bad;
+            }
+        }
+#pragma omp critical
+        extremes_merge(&all, &own);
+    }
+    step->extremes = all;
+}
+
+void cpu_correct(struct backend *b, struct step *step)
+{
+    struct particles *p = &b->particles;
+    const struct rate *old = p->before[FIELD_RATE], *rate = particles_rate(p);
+    struct motion *motion = particles_motion(p);
+    float *density = particles_density(p);
+    const float *rest = b->choice.each.rest_density;
+    struct extremes all = extremes_none();
+#pragma omp parallel
+    {
+        struct extremes own = extremes_none();
+#pragma omp for schedule(static)
+        for (size_t i = 0; i < p->count; i++) {
+            explicit_correct(step->dt, &old[i], &rate[i], &motion[i], &density[i]);
+            float v2 = square(motion[i].velocity), a2 = square(rate[i].acceleration);
+            float ratio = density[i] / rest[particles_fluid(p, i)];
+            struct extremes one = {v2, a2, 0, ratio, UINT32_MAX};
+            if (!(v2 < FLT_MAX) || !(a2 < FLT_MAX) || !(ratio > 0.05f && ratio < 20))
+                one.bad = particles_id(p)[i];
+            extremes_merge(&own, &one);
+        }
+#pragma omp critical
+        extremes_merge(&all, &own);
+    }
+    step->extremes = all;
+}
+
+void cpu_pressure(struct backend *b)
+{
+    const struct explicit_constants *c = &b->choice.each;
+    struct particles *p = &b->particles;
+    float *density = particles_density(p);
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < p->count; i++) {
+        struct position *x = &particles_position(p)[i];
+        int fluid = particles_fluid(p, i);
+        if (!b->choice.continuity)
+            density[i] = explicit_summed_density(c, fluid, x, b->number[i]);
+        explicit_state(c, fluid, density[i], &particles_motion(p)[i].pressure, &x->volume);
+    }
+}
+
+void cpu_walls(struct backend *b)
+{
+    const struct explicit_constants *c = &b->choice.each;
+    const struct particles *p = &b->particles;
+    const float *density = particles_density(p);
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < p->count; i++)
+        explicit_walls(c, particles_fluid(p, i), &particles_position(p)[i],
+                       &particles_motion(p)[i], density[i], &particles_rate(p)[i]);
+}
+
+void cpu_pairs(struct backend *b, pair_function *pass)
+{
+    const struct particles *p = &b->particles;
+    struct pair_work work = {
+        .constants = b->choice.pair,
+        .position = particles_position(p),
+        .motion = particles_motion(p),
+        .viscosity = p->now[FIELD_VISCOSITY],
+        .density = particles_density(p),
+        .rest_density = b->choice.each.rest_density,
+        .fluid = p->now[FIELD_FLUID],
+        .rate = particles_rate(p),
+        .number = b->number,
+        .rows = b->rows.block,
+        .row_count = b->rows.count,
+        .wall = b->wall.count ? particles_position(&b->wall) : NULL,
+        .wall_rows = b->wall_rows.block,
+        .wall_row_count = b->wall_rows.count,
+        .count = p->count,
+    };
+    size_t blocks = (p->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
+#pragma omp parallel for schedule(dynamic, 16)
+    for (size_t block = 0; block < blocks; block++)
+        pass(&work, block, block + 1);
+    b->counts.pairs += b->rows.entries + b->wall_rows.entries;
+}

@@ -1,0 +1,44 @@
+/* A uniform grid over the space: which particles lie in which cell, in canonical order.
+ *
+ * Canonical order is cell by cell (x fastest, then y, z) and by id within a cell. Particles are kept
+ * in that order in memory, so "neighbours in canonical order" means "by ascending index", and every
+ * neighbour search that yields ascending indices gives the same sums to the last bit. */
+#ifndef GRID_CELLS_H
+#define GRID_CELLS_H
+
+#include "base/error.h"
+#include "particles/particles.h"
+#include "particles/space.h"
+
+struct cells {
+    uint32_t size[3];   /* cells along each axis */
+    uint64_t factor[3]; /* cell = coordinate * factor >> 32 */
+    bool periodic[3];
+    size_t count;       /* product of sizes */
+    size_t capacity;    /* cells that `start` has room for */
+    uint32_t *start;    /* count + 1: first particle of each cell */
+};
+
+/* Chooses cells no smaller than `radius` (m), and not many more than there are particles. */
+void cells_resize(struct cells *cells, const struct space *space, double radius, size_t particles);
+
+/* Finds the canonical order: order[new] = old. `scratch` has room for `count` indices.
+ * Fills cells->start. STATUS_RUN when memory is short. */
+enum status cells_sort(struct cells *cells, const struct position *position, const uint32_t *id,
+                       size_t count, uint32_t *order, uint32_t *scratch, struct error *e);
+void cells_free(struct cells *cells);
+
+/* The cell along one axis. */
+static inline uint32_t cells_axis(const struct cells *cells, int axis, uint32_t coordinate)
+{
+    uint32_t c = (uint32_t)(coordinate * cells->factor[axis] >> 32);
+    return c < cells->size[axis] ? c : cells->size[axis] - 1;
+}
+
+/* Half-open range of particle indices. */
+struct range {
+    uint32_t first, last;
+};
+enum { RANGES_MAX = 18 };
+
+#endif

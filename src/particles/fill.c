@@ -1,0 +1,186 @@
+/* Makes the starting points of bodies and of wall particles. */
+#include "particles/fill.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Counter-based random numbers in [0,1): any (seed, index, draw) at once, in any order. */
+static double random_unit(uint64_t seed, uint64_t index, uint64_t draw)
+{
+    uint64_t x = seed * 0x9e3779b97f4a7c15u + index * 0xd1342543de82ef95u + draw * 0xaf251af3b0f025b5u;
+    for (int round = 0; round < 2; round++) {
+        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+        x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+        x ^= x >> 31;
+    }
+    return (double)(x >> 11) * 0x1p-53;
+}
+
+/* Nearly normal with unit variance: a sum of 12 uniforms, so no libm and no tail beyond 6. */
+static double random_normal(uint64_t seed, uint64_t index, uint64_t draw)
+{
+    double sum = -6;
+    for (uint64_t k = 0; k < 12; k++)
+        sum += random_unit(seed, index, draw * 12 + k);
+    return sum;
+}
+
+static void body_bounds(const struct scene_body *b, double low[3], double high[3])
+{
+    for (int a = 0; a < 3; a++) {
+        double half = b->shape == BODY_CYLINDER && a == b->axis ? b->height / 2 : b->radius;
+        low[a] = b->shape == BODY_BOX ? b->min[a] : b->center[a] - half;
+        high[a] = b->shape == BODY_BOX ? b->max[a] : b->center[a] + half;
+    }
+}
+
+static bool body_contains(const struct scene_body *b, const double p[3])
+{
+    double r2 = 0;
+    if (b->shape == BODY_BOX)
+        return true; /* the bounds are the body */
+    for (int a = 0; a < 3; a++)
+        if (b->shape == BODY_SPHERE || a != b->axis)
+            r2 += (p[a] - b->center[a]) * (p[a] - b->center[a]);
+    return r2 <= b->radius * b->radius;
+}
+
+static enum status fill_push(struct fill *fill, size_t *capacity, const double p[3], int body,
+                             struct error *e)
+{
+    if (fill->count == *capacity) {
+        struct fill grown = {.count = fill->count};
+        size_t room = *capacity ? 2 * *capacity : 4096;
+        grown.point = memory_create("start points", room, sizeof *grown.point, e);
+        grown.body = grown.point ? memory_create("start points", room, sizeof *grown.body, e) : NULL;
+        if (!grown.body) {
+            memory_free(grown.point);
+            return e->status;
+        }
+        if (fill->count) {
+            memcpy(grown.point, fill->point, fill->count * sizeof *fill->point);
+            memcpy(grown.body, fill->body, fill->count * sizeof *fill->body);
+        }
+        fill_free(fill);
+        *fill = grown;
+        *capacity = room;
+    }
+    memcpy(fill->point[fill->count], p, sizeof *fill->point);
+    fill->body[fill->count++] = body;
+    return STATUS_OK;
+}
+
+static void keep_inside(const struct scene *scene, double p[3])
+{
+    for (int a = 0; a < 3; a++) {
+        double margin = 1e-3 * scene->particles.spacing;
+        p[a] = fmax(scene->domain.min[a] + margin, fmin(scene->domain.max[a] - margin, p[a]));
+    }
+}
+
+/* Lattice cells along each axis: as many whole spacings as fit, to a hundredth. */
+static void lattice_size(double spacing, const double low[3], const double high[3], long n[3])
+{
+    for (int a = 0; a < 3; a++)
+        n[a] = (long)fmax(1, floor((high[a] - low[a]) / spacing + 0.5));
+}
+
+double fill_cell_volume(const struct scene *scene, const struct scene_body *body)
+{
+    double low[3], high[3], d = scene->particles.spacing, volume = d * d * d;
+    long n[3];
+    body_bounds(body, low, high);
+    lattice_size(d, low, high, n);
+    if (body->shape == BODY_BOX || body->fill == FILL_RANDOM)
+        for (int a = 0; a < 3; a++)
+            volume *= (high[a] - low[a]) / ((double)n[a] * d);
+    return volume;
+}
+
+static enum status fill_body(const struct scene *scene, int index, struct fill *fill,
+                             size_t *capacity, struct error *e)
+{
+    const struct scene_body *b = &scene->bodies[index];
+    double low[3], high[3], d = scene->particles.spacing;
+    long n[3];
+    body_bounds(b, low, high);
+    lattice_size(d, low, high, n);
+    uint64_t total = (uint64_t)n[0] * (uint64_t)n[1] * (uint64_t)n[2];
+    for (uint64_t k = 0; k < total; k++) {
+        long cell[3] = {(long)(k % (uint64_t)n[0]), (long)(k / (uint64_t)n[0] % (uint64_t)n[1]),
+                        (long)(k / (uint64_t)n[0] / (uint64_t)n[1])};
+        double p[3];
+        for (int a = 0; a < 3; a++) {
+            double pitch = (high[a] - low[a]) / (double)n[a];
+            if (b->fill == FILL_RANDOM)
+                p[a] = low[a] + (high[a] - low[a]) * random_unit(b->seed, k, (uint64_t)a);
+            else
+                p[a] = low[a] + ((double)cell[a] + 0.5) * (b->shape == BODY_BOX ? pitch : d);
+        }
+        if (!body_contains(b, p))
+            continue;
+        for (int a = 0; a < 3 && b->jitter > 0; a++)
+            p[a] += d * b->jitter * random_normal(b->seed, k, (uint64_t)a + 3);
+        keep_inside(scene, p);
+        if (fill_push(fill, capacity, p, index, e))
+            return e->status;
+    }
+    return STATUS_OK;
+}
+
+enum status fill_bodies(const struct scene *scene, struct fill *fill, struct error *e)
+{
+    size_t capacity = 0;
+    *fill = (struct fill){0};
+    for (size_t b = 0; b < scene->body_count; b++)
+        if (fill_body(scene, (int)b, fill, &capacity, e)) {
+            fill_free(fill);
+            return e->status;
+        }
+    return STATUS_OK;
+}
+
+enum status fill_walls(const struct scene *scene, double depth, struct fill *fill,
+                       struct error *e)
+{
+    double d = scene->particles.spacing, low[3];
+    long n[3], layers = (long)ceil(depth / d - 1e-6), start[3], stop[3];
+    size_t capacity = 0;
+    *fill = (struct fill){0};
+    lattice_size(d, scene->domain.min, scene->domain.max, n);
+    for (int a = 0; a < 3; a++) {
+        start[a] = scene->domain.walls[2 * a] == WALL_PARTICLES ? -layers : 0;
+        stop[a] = n[a] + (scene->domain.walls[2 * a + 1] == WALL_PARTICLES ? layers : 0);
+        low[a] = scene->domain.min[a];
+    }
+    for (long z = start[2]; z < stop[2]; z++)
+        for (long y = start[1]; y < stop[1]; y++)
+            for (long x = start[0]; x < stop[0]; x++) {
+                long cell[3] = {x, y, z};
+                double p[3];
+                bool outside = false;
+                for (int a = 0; a < 3; a++) {
+                    double pitch = (scene->domain.max[a] - low[a]) / (double)n[a];
+                    outside = outside || cell[a] < 0 || cell[a] >= n[a];
+                    p[a] = low[a] + ((double)cell[a] + 0.5) * pitch;
+                }
+                if (!outside) { /* skip the interior in one go */
+                    x = n[0] - 1;
+                    continue;
+                }
+                if (fill_push(fill, &capacity, p, -1, e)) {
+                    fill_free(fill);
+                    return e->status;
+                }
+            }
+    return STATUS_OK;
+}
+
+void fill_free(struct fill *fill)
+{
+    memory_free(fill->point);
+    memory_free(fill->body);
+    *fill = (struct fill){0};
+}

@@ -1,0 +1,30 @@
+/* Fills the bodies of a scene with particles, and its walls with boundary particles. */
+#ifndef PARTICLES_FILL_H
+#define PARTICLES_FILL_H
+
+#include "particles/particles.h"
+#include "particles/space.h"
+#include "scene/scene.h"
+
+/* Points at which particles start: metres, absolute; body index each. */
+struct fill {
+    size_t count;
+    double (*point)[3];
+    int *body; /* index into scene->bodies; NULL for walls */
+};
+
+/* Points of all bodies: lattice cells whose centre lies inside, displaced by `jitter`, or as many
+ * uniformly random points. The same points on every machine: random numbers depend on (seed, index)
+ * alone. STATUS_RUN when memory is short. */
+enum status fill_bodies(const struct scene *scene, struct fill *fill, struct error *e);
+
+/* Volume that each particle of a body stands for, m^3; of a lattice body, one cell. */
+double fill_cell_volume(const struct scene *scene, const struct scene_body *body);
+
+/* Lattice layers outside the faces that are made of particles, `depth` metres deep. */
+enum status fill_walls(const struct scene *scene, double depth, struct fill *fill,
+                       struct error *e);
+
+void fill_free(struct fill *fill);
+
+#endif

@@ -1,0 +1,92 @@
+/* Allocates, frees, swaps and hashes particle fields. */
+#include "particles/particles.h"
+
+#include "base/memory.h"
+
+#include <string.h>
+
+const struct field_row field_table[FIELD_COUNT] = {
+    [FIELD_POSITION] = {"position", "fixed-point position, volume", sizeof(struct position), 2},
+    [FIELD_MOTION] = {"motion", "velocity, pressure", sizeof(struct motion), 2},
+    [FIELD_DENSITY] = {"density", "density", sizeof(float), 2},
+    [FIELD_RATE] = {"rate", "acceleration, density rate", sizeof(struct rate), 2},
+    [FIELD_ID] = {"id", "identity", sizeof(uint32_t), 1},
+    [FIELD_FLUID] = {"fluid", "index of the fluid", sizeof(uint8_t), 1},
+    [FIELD_VISCOSITY] = {"viscosity", "dynamic viscosity", sizeof(float), 1},
+};
+
+enum status particles_create(struct particles *particles, size_t count, unsigned fields,
+                             struct error *e)
+{
+    *particles = (struct particles){.count = count, .fields = fields};
+    size_t padded = (count / PARTICLE_BLOCK + 2) * PARTICLE_BLOCK;
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        const struct field_row *row = &field_table[f];
+        if (!(fields & FIELD_BIT(f)))
+            continue;
+        particles->now[f] = memory_create(row->name, padded, row->size, e);
+        if (row->copies == 2)
+            particles->before[f] = memory_create(row->name, padded, row->size, e);
+        if (!particles->now[f] || (row->copies == 2 && !particles->before[f])) {
+            particles_free(particles);
+            return e->status;
+        }
+    }
+    return STATUS_OK;
+}
+
+void particles_free(struct particles *particles)
+{
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        memory_free(particles->now[f]);
+        memory_free(particles->before[f]);
+    }
+    *particles = (struct particles){0};
+}
+
+void particles_swap(struct particles *particles)
+{
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        void *now = particles->now[f];
+        if (!particles->before[f])
+            continue;
+        particles->now[f] = particles->before[f];
+        particles->before[f] = now;
+    }
+}
+
+/* splitmix64's finalizer (Steele et al. 2014): every input bit reaches every output bit. */
+static uint64_t mix(uint64_t x)
+{
+    x ^= x >> 30;
+    x *= 0xbf58476d1ce4e5b9u;
+    x ^= x >> 27;
+    x *= 0x94d049bb133111ebu;
+    return x ^ x >> 31;
+}
+
+static uint64_t hash_words(uint64_t seed, const void *data, size_t words)
+{
+    for (size_t i = 0; i < words; i++) {
+        uint32_t word;
+        memcpy(&word, (const char *)data + 4 * i, 4);
+        seed = mix(seed ^ word) + 0x9e3779b97f4a7c15u;
+    }
+    return seed;
+}
+
+uint64_t particles_hash(const struct particles *particles)
+{
+    const struct position *position = particles_position(particles);
+    const struct motion *motion = particles_motion(particles);
+    const float *density = particles_density(particles);
+    const uint32_t *id = particles_id(particles);
+    uint64_t sum = mix(particles->count);
+#pragma omp parallel for reduction(+ : sum)
+    for (size_t i = 0; i < particles->count; i++) {
+        uint64_t h = hash_words(id[i], position[i].count, 3);
+        h = hash_words(h, motion[i].velocity, 3);
+        sum += mix(hash_words(h, &density[i], 1));
+    }
+    return sum;
+}

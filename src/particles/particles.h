@@ -1,0 +1,91 @@
+/* Particles as arrays of records, allocated for the planned fields only. */
+#ifndef PARTICLES_PARTICLES_H
+#define PARTICLES_PARTICLES_H
+
+#include "base/error.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* 16-byte records: a neighbour is fetched as one or two of them. */
+struct position {
+    uint32_t count[3]; /* fixed point, particles/space.h */
+    float volume;      /* present volume / d^3; of a wall particle: V_b / d^3 */
+};
+struct motion {
+    float velocity[3]; /* m/s */
+    float pressure;    /* Pa */
+};
+struct rate {
+    float acceleration[3]; /* m/s^2 */
+    float density;         /* d(rho)/dt, kg/(m^3 s) */
+};
+
+enum field {
+    FIELD_POSITION,
+    FIELD_MOTION,
+    FIELD_DENSITY, /* float, kg/m^3 */
+    FIELD_RATE,
+    FIELD_ID,        /* uint32_t, 0 .. count-1 in order of filling, never changes */
+    FIELD_FLUID,     /* uint8_t, index into the scene's fluids; absent with one fluid */
+    FIELD_VISCOSITY, /* float, Pa s; absent unless fluids differ in it */
+    FIELD_COUNT
+};
+
+struct field_row {
+    const char *name, *doc;
+    size_t size;   /* bytes per particle */
+    int copies;    /* 2: the state before the step is kept, so that a step can be redone */
+};
+extern const struct field_row field_table[FIELD_COUNT];
+
+#define FIELD_BIT(f) (1u << (f))
+
+/* Arrays are padded to a whole block of lanes; padding repeats no particle and is never summed. */
+enum { PARTICLE_BLOCK = 16 };
+
+struct particles {
+    size_t count;
+    unsigned fields;           /* FIELD_BIT mask of those allocated */
+    void *now[FIELD_COUNT];    /* the present state */
+    void *before[FIELD_COUNT]; /* the state at the start of the step, where copies == 2 */
+};
+
+/* Zeroed arrays for `fields`; STATUS_RUN when memory is short. */
+enum status particles_create(struct particles *particles, size_t count, unsigned fields,
+                             struct error *e);
+void particles_free(struct particles *particles);
+
+/* Exchanges the present state with the one before, in the fields that keep both. */
+void particles_swap(struct particles *particles);
+
+static inline struct position *particles_position(const struct particles *p)
+{
+    return p->now[FIELD_POSITION];
+}
+static inline struct motion *particles_motion(const struct particles *p)
+{
+    return p->now[FIELD_MOTION];
+}
+static inline float *particles_density(const struct particles *p)
+{
+    return p->now[FIELD_DENSITY];
+}
+static inline struct rate *particles_rate(const struct particles *p)
+{
+    return p->now[FIELD_RATE];
+}
+static inline uint32_t *particles_id(const struct particles *p)
+{
+    return p->now[FIELD_ID];
+}
+static inline int particles_fluid(const struct particles *p, size_t i)
+{
+    const uint8_t *fluid = p->now[FIELD_FLUID];
+    return fluid ? fluid[i] : 0;
+}
+
+/* Hash of the state: ids, positions, velocities and densities; independent of the order in memory. */
+uint64_t particles_hash(const struct particles *particles);
+
+#endif

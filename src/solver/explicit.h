@@ -1,0 +1,166 @@
+/* What the explicit solvers do to each particle: integration, equation of state, closed walls.
+ *
+ * Leapfrog in predict-correct form, one force evaluation a step:
+ *   v_half = v + a dt/2;  x += v_half dt;  v* = v_half + a dt/2;  rho* = rho + rho' dt
+ *   (a, rho') at (x, v*, rho*)
+ *   v = v* + (a_new - a_old) dt/2;  rho = rho* + (rho'_new - rho'_old) dt/2
+ * In the common subset of C and CUDA. */
+#ifndef SOLVER_EXPLICIT_H
+#define SOLVER_EXPLICIT_H
+
+#include "particles/particles.h"
+#include "solver/kernel.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { FLUIDS_MAX = 16 };
+
+struct explicit_constants {
+    double unit[3];           /* m per count */
+    uint32_t low[3], high[3]; /* closed planes, counts */
+    bool closed[6];           /* a plane stops particles there */
+    bool plane[6];            /* and stands for a half space of wall */
+    float restitution;
+    bool no_slip;
+    bool tait, clamp;         /* equation of state; negative pressure set to zero */
+    float spacing;            /* d, m */
+    float h;                  /* m */
+    float number_density;     /* sigma d^3 / h^3: sum of w to V_rest sum W */
+    float rest_density[FLUIDS_MAX]; /* kg/m^3 */
+    float bulk[FLUIDS_MAX];   /* Pa: B = rho0 c0^2 / 7 (Tait) or rho0 c0^2 (linear) */
+    float mass[FLUIDS_MAX];   /* particle mass / d^3, kg/m^3 */
+    float viscosity[FLUIDS_MAX]; /* Pa s */
+    struct plane_table planes;
+};
+
+/* Largest values over all particles, each exact, so that their order does not matter. */
+struct extremes {
+    float speed2, acceleration2; /* m^2/s^2, m^2/s^4 */
+    float move2;                 /* of the step, m^2 */
+    float low_density;           /* smallest rho/rho0 */
+    uint32_t bad;                /* smallest id of a non-finite or runaway particle */
+};
+
+/* p = B ((rho/rho0)^7 - 1) (Cole 1948; Monaghan 1994) or c0^2 (rho - rho0), and V = m/rho. */
+static inline void explicit_state(const struct explicit_constants *c, int fluid, float density,
+                                  float *pressure, float *volume)
+{
+    float ratio = density / c->rest_density[fluid];
+    if (c->tait) {
+        float r2 = ratio * ratio, r4 = r2 * r2;
+        ratio = r4 * (r2 * ratio);
+    }
+    float p = c->bulk[fluid] * (ratio - 1);
+    *pressure = c->clamp && p < 0 ? 0 : p;
+    *volume = c->mass[fluid] / density;
+}
+
+/* Bounces a coordinate (counts, before the modulo) off closed planes. */
+static inline int64_t explicit_bounce(const struct explicit_constants *c, int a, int64_t x,
+                                      float *speed)
+{
+    int64_t low = c->low[a], high = c->high[a];
+    if (c->closed[2 * a] && x < low) {
+        x = low + (int64_t)((double)(low - x) * c->restitution);
+        *speed = fabsf(*speed) * c->restitution;
+    } else if (c->closed[2 * a + 1] && x > high) {
+        x = high - (int64_t)((double)(x - high) * c->restitution);
+        *speed = -fabsf(*speed) * c->restitution;
+    }
+    return x < low && c->closed[2 * a] ? low : x > high && c->closed[2 * a + 1] ? high : x;
+}
+
+/* First half of a step; returns the square of the distance moved, m^2 (INFINITY when runaway). */
+static inline float explicit_predict(const struct explicit_constants *c, int fluid, float dt,
+                                     const struct position *x0, const struct motion *v0,
+                                     const struct rate *rate, float density0, struct position *x,
+                                     struct motion *v, float *density)
+{
+    float move2 = 0;
+    for (int a = 0; a < 3; a++) {
+        float kick = 0.5f * dt * rate->acceleration[a], half = v0->velocity[a] + kick;
+        float move = half * dt;
+        move2 += move * move;
+        if (!(fabsf(move) <= c->spacing)) /* the step is rejected anyway: no overflow below */
+            return INFINITY;
+        int64_t to = (int64_t)x0->count[a] + llrint((double)move / c->unit[a]);
+        x->count[a] = (uint32_t)explicit_bounce(c, a, to, &half);
+        v->velocity[a] = half + kick;
+    }
+    *density = density0 + dt * rate->density;
+    explicit_state(c, fluid, *density, &v->pressure, &x->volume);
+    return move2;
+}
+
+static inline void explicit_correct(float dt, const struct rate *old, const struct rate *now,
+                                    struct motion *v, float *density)
+{
+    for (int a = 0; a < 3; a++)
+        v->velocity[a] += 0.5f * dt * (now->acceleration[a] - old->acceleration[a]);
+    *density += 0.5f * dt * (now->density - old->density);
+}
+
+/* Linear interpolation in a plane table. */
+static inline float plane_value(const float *table, float q)
+{
+    float t = q * (PLANE_STEPS / 2);
+    int k = (int)t;
+    float f = t - (float)k;
+    return table[k] * (1 - f) + table[k + 1] * f;
+}
+
+/* Distance to a closed face in smoothing lengths; 2 or more when it does not matter. */
+static inline float plane_distance(const struct explicit_constants *c, int face,
+                                   const struct position *x)
+{
+    int a = face / 2;
+    if (!c->plane[face])
+        return 2;
+    int32_t count = (int32_t)(face & 1 ? c->high[a] - x->count[a] : x->count[a] - c->low[a]);
+    float q = (float)count * (float)(c->unit[a] / c->h);
+    return q < 0 ? 0 : q;
+}
+
+/* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
+ * pressure (never sucks); its velocity continues the particle's linearly through zero at the plane,
+ * in the normal direction always, along the plane only with no_slip, so that a linear profile has
+ * its exact divergence and no spurious drag. */
+static inline void explicit_walls(const struct explicit_constants *c, int fluid,
+                                  const struct position *x, const struct motion *v, float density,
+                                  struct rate *rate)
+{
+    for (int face = 0; face < 6; face++) {
+        float q = plane_distance(c, face, x);
+        if (q >= 2)
+            continue;
+        int n = face / 2;
+        float inward = face & 1 ? -1.0f : 1.0f, near = 0.5f * c->spacing / c->h;
+        float lever = 1 / (q > near ? q : near), area = plane_value(c->planes.area, q) / c->h;
+        float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
+        float closing = plane_value(c->planes.volume, q) * lever / c->h + area;
+        rate->acceleration[n] += inward * p * area / density;
+        rate->density -= density * inward * v->velocity[n] * closing;
+        if (!c->no_slip || c->viscosity[fluid] == 0)
+            continue;
+        float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
+        float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * drag;
+        for (int a = 0; a < 3; a++)
+            rate->acceleration[a] -= scale * v->velocity[a];
+    }
+}
+
+/* Density by summation from `number` = sum of w, plus the half spaces' share. */
+static inline float explicit_summed_density(const struct explicit_constants *c, int fluid,
+                                            const struct position *x, float number)
+{
+    float sum = c->number_density * number;
+    for (int face = 0; face < 6; face++) {
+        float q = plane_distance(c, face, x);
+        sum += q < 2 ? plane_value(c->planes.volume, q) : 0;
+    }
+    return c->mass[fluid] * sum;
+}
+
+#endif

@@ -1,0 +1,39 @@
+/* Smoothing kernels: W(r) = sigma / h^3 w(q), q = r/h, h the smoothing length; zero from q = 2 on,
+ * so the support radius is 2h for all of them. */
+#ifndef SOLVER_KERNEL_H
+#define SOLVER_KERNEL_H
+
+#include "base/variant.h"
+
+struct kernel_row {
+    struct variant variant;
+    double support;           /* usual support radius / particle spacing */
+    double sigma;             /* normalization in 3-D */
+    double (*value)(double q); /* w(q) */
+    unsigned flag;            /* bit that selects its body in the pair passes */
+};
+
+extern const struct variant_table kernel_table; /* "kernels" */
+extern const struct kernel_row kernel_cubic_spline, kernel_wendland_c2, kernel_poly6;
+
+/* S = d^3 sum W over the cubic lattice of spacing d, for support radius `support` * d. A particle of
+ * mass rho0 d^3 / S on the lattice has density rho0 exactly, so volume is right from the start. */
+double kernel_lattice_sum(const struct kernel_row *kernel, double support);
+
+/* Neighbours within `support` * d on the cubic lattice, without the particle itself. */
+int kernel_lattice_neighbours(double support);
+
+/* Integrals of the kernel over the half space behind a plane at distance s = q h, for closed walls,
+ * in units of h; all zero from q = 2 on. With z' the depth behind the plane:
+ *   area   = integral of W over the plane, so the half space's gradient is -area/h n
+ *   volume = integral of W behind the plane; 1/2 at q = 0
+ *   drag   = -integral of W'/r behind it       = 2 pi integral_s^2h W dz, over h^2
+ *   lever  = -integral of z' W'/r behind it    = 2 pi integral_s^2h (z - s) W dz, over h */
+enum { PLANE_STEPS = 512 };
+struct plane_table {
+    float area[PLANE_STEPS + 2], volume[PLANE_STEPS + 2]; /* at q = 2 k / PLANE_STEPS */
+    float drag[PLANE_STEPS + 2], lever[PLANE_STEPS + 2];
+};
+void kernel_plane_table(const struct kernel_row *kernel, struct plane_table *table);
+
+#endif

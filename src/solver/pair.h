@@ -1,0 +1,117 @@
+/* The pair interactions of all explicit solvers: particle i, particle j, and i's sums.
+ *
+ * In the common subset of C and CUDA: `real` is a float or a vector of lanes, one particle a lane.
+ * Lengths are in units of the smoothing length h, volumes in units of d^3; the constants in front of
+ * the sums are applied once per particle (solver/pair_constants.h). Every term is exactly zero for
+ * a pair beyond the support and for a particle with itself, so lists may hold more than needed. */
+#ifndef SOLVER_PAIR_H
+#define SOLVER_PAIR_H
+
+#include "solver/kernels/bodies.h"
+#include "solver/pair_constants.h"
+
+/* Geometry of a pair: (x_i - x_j)/h, its square, length q, and 1/q. */
+struct pair {
+    real x, y, z, q2, q, inverse;
+};
+
+/* What is read of a particle. */
+struct pair_state {
+    real volume, vx, vy, vz, pressure, viscosity;
+    real inverse_volume; /* only of i, only with PAIR_SYMMETRIC */
+};
+
+/* struct pair_constants, and i's share of them, in lanes. */
+struct pair_lane_constants {
+    real viscosity, inverse_h, artificial;
+    real head_x, head_y, head_z; /* rho0_i g h, Pa: hydrostatic difference per unit of q */
+};
+
+/* The sums that i collects. */
+struct pair_sums {
+    real ax, ay, az; /* sum of V_j (...) gradient */
+    real divergence; /* sum V_j v_ij . gradient */
+    real diffusion;  /* sum V_j psi_ij . gradient */
+};
+
+static inline __attribute__((always_inline)) real pair_slope(const struct pair *p, unsigned flags)
+{
+    if (flags & PAIR_MULLER)
+        return spiky_slope(p->q, p->inverse);
+    return flags & KERNEL_CUBIC ? cubic_slope(p->q, p->inverse) : wendland_slope(p->q);
+}
+
+static inline __attribute__((always_inline)) real pair_value(const struct pair *p, unsigned flags)
+{
+    if (flags & PAIR_MULLER)
+        return poly6_value(p->q2);
+    return flags & KERNEL_CUBIC ? cubic_value(p->q) : wendland_value(p->q);
+}
+
+/* Number density sum_j W_ij (Hu & Adams 2006): rho_i = m_i times it. */
+static inline __attribute__((always_inline)) void pair_density(real *sum, const struct pair *p, unsigned flags)
+{
+    *sum = *sum + pair_value(p, flags);
+}
+
+/* Momentum and continuity of weakly compressible SPH:
+ *   dv_i/dt   = -1/rho_i sum V_j (p_i + p_j) grad W                     (Colagrossi & Landrini 2003)
+ *            or -1/m_i sum (V_i^2 p_i + V_j^2 p_j) grad W               (Hu & Adams 2006)
+ *             + 1/rho_i sum V_j (mu_i + mu_j) W'/r v_ij                 (Morris et al. 1997)
+ *   drho_i/dt = rho_i sum V_j v_ij . grad W
+ *             + 2 delta h/c0 sum V_j (p_i - p_j - rho_i g.x_ij) W'/r    (Fourtakas et al. 2019, in
+ *               terms of pressure, which is continuous where two fluids meet)
+ * and the artificial viscosity of Monaghan 1997 for approaching pairs, as a pressure
+ * alpha c0 rho0 (-v_ij . x_ij / r). */
+static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s, const struct pair_state *i,
+                              const struct pair_state *j, const struct pair *p,
+                              const struct pair_lane_constants *c, unsigned flags)
+{
+    real slope = pair_slope(p, flags), weight = j->volume * slope;
+    real vx = i->vx - j->vx, vy = i->vy - j->vy, vz = i->vz - j->vz;
+    real dot = real_fma(vz, p->z, real_fma(vy, p->y, vx * p->x));
+    real push = weight * (i->pressure + j->pressure);
+    if (flags & PAIR_SYMMETRIC) /* 1/m_i = 1/(rho_i V_i), and 1/rho_i is applied in front */
+        push = slope * real_fma(i->volume, i->pressure,
+                                j->volume * j->volume * j->pressure * i->inverse_volume);
+    if (flags & PAIR_ARTIFICIAL)
+        push = real_fma(c->artificial * weight, real_positive(real_set(0) - dot * p->inverse),
+                        push);
+    s->ax = s->ax - push * p->x;
+    s->ay = s->ay - push * p->y;
+    s->az = s->az - push * p->z;
+    if (flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)) {
+        real mu = c->viscosity;
+        if (flags & PAIR_OWN_VISCOSITY)
+            mu = (i->viscosity + j->viscosity) * c->inverse_h;
+        real drag = mu * weight;
+        if (flags & PAIR_MULLER)
+            drag = mu * ((real_set(0) - j->volume) * viscosity_laplacian(p->q));
+        s->ax = real_fma(drag, vx, s->ax);
+        s->ay = real_fma(drag, vy, s->ay);
+        s->az = real_fma(drag, vz, s->az);
+    }
+    if (flags & PAIR_CONTINUITY)
+        s->divergence = real_fma(weight, dot, s->divergence);
+    if (flags & PAIR_DIFFUSION) {
+        real hydrostatic =
+            real_fma(c->head_z, p->z, real_fma(c->head_y, p->y, c->head_x * p->x));
+        s->diffusion = real_fma(weight, (i->pressure - j->pressure) - hydrostatic, s->diffusion);
+    }
+}
+
+/* A wall particle repeats i's pressure (never sucks), stands still, and drags with i's viscosity
+ * (Akinci et al. 2012). */
+static inline __attribute__((always_inline)) void pair_wall(struct pair_sums *s, const struct pair_state *i, real volume,
+                             const struct pair *p, const struct pair_lane_constants *c,
+                             unsigned flags)
+{
+    real zero = real_set(0);
+    struct pair_state wall = {.volume = volume, .vx = zero, .vy = zero, .vz = zero,
+                              .pressure = real_positive(i->pressure),
+                              .viscosity = i->viscosity};
+    /* The pressure of the wall carries no hydrostatic difference: no diffusion through it. */
+    pair_force(s, i, &wall, p, c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC));
+}
+
+#endif

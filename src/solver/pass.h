@@ -1,0 +1,32 @@
+/* Passes of a time step: what each is for, reads and writes. The plan orders and checks them. */
+#ifndef SOLVER_PASS_H
+#define SOLVER_PASS_H
+
+enum pass_kind {
+    PASS_EACH, /* one loop over particles; REDUCE when it also finds extremes */
+    PASS_PAIR, /* each particle sums over its neighbours */
+    PASS_ORDER /* sorting and neighbour rows */
+};
+
+enum pass_id {
+    PASS_SORT,
+    PASS_NEIGHBOURS,
+    PASS_PREDICT,
+    PASS_DENSITY,
+    PASS_PRESSURE,
+    PASS_FORCE,
+    PASS_WALLS,
+    PASS_CORRECT,
+    PASS_COUNT
+};
+
+struct pass_row {
+    enum pass_id id;
+    enum pass_kind kind;
+    const char *name, *doc;
+    unsigned reads, writes;  /* FIELD_BIT masks */
+};
+
+extern const struct pass_row pass_table[PASS_COUNT];
+
+#endif

@@ -1,0 +1,159 @@
+/* The table of solvers, and the choices that are common to them. */
+#include "solver/solver.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct variant *const rows[] = {
+    &solver_wcsph.variant,
+    &solver_muller.variant,
+};
+
+const struct variant_table solver_table = {
+    .name = "solvers",
+    .doc = "pressure solvers",
+    .rows = rows,
+    .count = sizeof rows / sizeof *rows,
+};
+
+double solver_support(const struct solver_row *solver, const struct scene *scene,
+                      const struct kernel_row **kernel)
+{
+    const char *name = scene->solver.kernel;
+    if (strcmp(name, "auto") == 0 || strcmp(solver->kernel, "poly6") == 0)
+        name = solver->kernel;
+    *kernel = (const struct kernel_row *)variant_find(&kernel_table, name);
+    double support = scene->solver.support;
+    return (isnan(support) ? (*kernel)->support : support) * scene->particles.spacing;
+}
+
+static double length3(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/* How far a body reaches along the unit vector `up`. */
+static double body_top(const struct scene_body *b, const double up[3])
+{
+    double top = 0;
+    for (int a = 0; a < 3; a++) {
+        double half = b->shape == BODY_CYLINDER && a == b->axis ? b->height / 2 : b->radius;
+        double low = b->shape == BODY_BOX ? b->min[a] : b->center[a] - half;
+        double high = b->shape == BODY_BOX ? b->max[a] : b->center[a] + half;
+        top += up[a] > 0 ? up[a] * high : up[a] * low;
+    }
+    return top;
+}
+
+/* Expected depth of fluid and largest speed: the fall from the highest point of any body to the
+ * lowest point of the domain, with the body's own speed. */
+static void expect(const struct scene *scene, struct solver_choice *choice)
+{
+    double g = length3(scene->gravity), up[3] = {0}, floor = 0;
+    choice->depth = choice->fastest = 0;
+    for (int a = 0; a < 3; a++) {
+        up[a] = g > 0 ? -scene->gravity[a] / g : 0;
+        floor += up[a] * (up[a] > 0 ? scene->domain.min[a] : scene->domain.max[a]);
+    }
+    for (size_t b = 0; b < scene->body_count; b++) {
+        double speed = length3(scene->bodies[b].velocity);
+        double depth = g > 0 ? fmax(0, body_top(&scene->bodies[b], up) - floor) : 0;
+        choice->depth = fmax(choice->depth, depth);
+        choice->fastest = fmax(choice->fastest, sqrt(speed * speed + 2 * g * depth));
+    }
+}
+
+/* On a periodic axis with gravity along it nothing stops the fall; the depth is then meaningless. */
+static void expect_driven(const struct scene *scene, struct solver_choice *choice)
+{
+    for (int a = 0; a < 3; a++)
+        if (scene->domain.walls[2 * a] == WALL_PERIODIC && scene->gravity[a] != 0) {
+            double speed = 0;
+            for (size_t b = 0; b < scene->body_count; b++)
+                speed = fmax(speed, length3(scene->bodies[b].velocity));
+            choice->depth = 0;
+            choice->fastest = speed;
+        }
+}
+
+static void choose_walls(const struct scene *scene, const struct space *space,
+                         struct solver_choice *choice)
+{
+    struct explicit_constants *each = &choice->each;
+    for (int f = 0; f < FACE_COUNT; f++) {
+        enum wall_kind kind = scene->domain.walls[f];
+        each->closed[f] = kind != WALL_PERIODIC;
+        each->plane[f] = kind == WALL_CLOSED;
+        choice->wall_planes = choice->wall_planes || kind == WALL_CLOSED;
+        choice->wall_particles = choice->wall_particles || kind == WALL_PARTICLES;
+    }
+    memcpy(each->low, space->low, sizeof each->low);
+    memcpy(each->high, space->high, sizeof each->high);
+    each->restitution = (float)scene->domain.restitution;
+    each->no_slip = scene->domain.no_slip;
+}
+
+static void choose_fluids(const struct scene *scene, const double *fluid_volume,
+                          const size_t *fluid_particles, struct solver_choice *choice)
+{
+    struct explicit_constants *each = &choice->each;
+    double d = choice->spacing, cell = d * d * d;
+    double lattice = kernel_lattice_sum(choice->kernel, choice->support / d), viscosity = 0;
+    bool differ = false;
+    for (size_t f = 0; f < scene->fluid_count; f++) {
+        const struct scene_fluid *fluid = &scene->fluids[f];
+        double volume = fluid_particles[f] ? fluid_volume[f] / (double)fluid_particles[f] : cell;
+        each->rest_density[f] = (float)fluid->density;
+        each->mass[f] = (float)(fluid->density * volume / cell / lattice);
+        each->viscosity[f] = (float)fluid->viscosity;
+        viscosity = fmax(viscosity, fluid->viscosity / fluid->density);
+        differ = differ || fluid->viscosity != scene->fluids[0].viscosity;
+    }
+    if (viscosity > 0)
+        choice->flags |= differ ? PAIR_OWN_VISCOSITY : PAIR_VISCOUS;
+    choice->pair.viscosity = (float)(2 * scene->fluids[0].viscosity / choice->smoothing_length);
+    choice->pair.inverse_h = (float)(1 / choice->smoothing_length);
+    choice->limits.viscous =
+        viscosity > 0 ? 0.125 * choice->smoothing_length * choice->smoothing_length / viscosity
+                      : INFINITY;
+}
+
+static void choose_scales(const struct scene *scene, const struct space *space,
+                          struct solver_choice *choice)
+{
+    double h = choice->smoothing_length, d = choice->spacing, sigma = choice->kernel->sigma;
+    choice->pair.gradient = (float)(sigma * d * d * d / (h * h * h * h));
+    choice->pair.density = (float)(sigma * d * d * d / (h * h * h));
+    choice->pair.self = 1; /* w(0) of every kernel */
+    for (int a = 0; a < 3; a++) {
+        choice->pair.scale[a] = (float)(space->unit[a] / h);
+        choice->pair.gravity[a] = (float)scene->gravity[a];
+        choice->pair.head[a] = (float)(scene->gravity[a] * h);
+        choice->each.unit[a] = space->unit[a];
+    }
+    choice->each.spacing = (float)d;
+    choice->each.h = (float)h;
+    choice->each.number_density = choice->pair.density;
+    kernel_plane_table(choice->kernel, &choice->each.planes);
+}
+
+void solver_choose(const struct solver_row *solver, const struct scene *scene,
+                   const struct space *space, const double *fluid_volume,
+                   const size_t *fluid_particles, struct solver_choice *choice)
+{
+    *choice = (struct solver_choice){0};
+    choice->support = solver_support(solver, scene, &choice->kernel);
+    choice->spacing = scene->particles.spacing;
+    choice->smoothing_length = choice->support / 2;
+    choice->flags = choice->kernel->flag;
+    expect(scene, choice);
+    expect_driven(scene, choice);
+    choose_walls(scene, space, choice);
+    choose_scales(scene, space, choice);
+    choose_fluids(scene, fluid_volume, fluid_particles, choice);
+    choice->limits.acoustic =
+        (isnan(scene->time.cfl) ? solver->cfl : scene->time.cfl) * choice->smoothing_length;
+    choice->limits.force = 0.25;
+    choice->limits.user = isnan(scene->time.step) ? INFINITY : scene->time.step;
+    solver->choose(scene, choice);
+}

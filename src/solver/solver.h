@@ -1,0 +1,63 @@
+/* Pressure solvers: what a solver chooses for a scene, once, before the first step. */
+#ifndef SOLVER_SOLVER_H
+#define SOLVER_SOLVER_H
+
+#include "base/variant.h"
+#include "particles/space.h"
+#include "scene/scene.h"
+#include "solver/explicit.h"
+#include "solver/kernel.h"
+#include "solver/pair_constants.h"
+#include "solver/pass.h"
+
+#include <stdbool.h>
+
+/* The largest stable time steps, s; INFINITY where a limit does not apply.
+ * dt <= min(acoustic h/(c0 + |v|max), force sqrt(h/|a|max), viscous h^2/nu). */
+struct step_limits {
+    double acoustic;  /* C1 h, m */
+    double force;     /* C2 */
+    double viscous;   /* C3 h^2 / nu, s */
+    double user;      /* time.step */
+};
+
+struct solver_choice {
+    const struct kernel_row *kernel;
+    double spacing;          /* d, m */
+    double support;          /* support radius 2h, m */
+    double smoothing_length; /* h, m */
+    double sound_speed;      /* c0, m/s */
+    double fastest;          /* expected largest speed, m/s */
+    double depth;            /* expected depth for pressure, m, along gravity */
+    struct step_limits limits;
+    unsigned flags;          /* enum pair_flag, and the kernel's */
+    bool continuity;         /* density by continuity equation */
+    bool wall_planes, wall_particles;
+    struct pair_constants pair;
+    struct explicit_constants each;
+};
+
+struct solver_row {
+    struct variant variant;
+    const char *kernel;         /* of "auto" */
+    double cfl;                 /* C1 of "auto" */
+    const enum pass_id *passes; /* of one step, in order; the plan leaves out what is not wanted */
+    size_t pass_count;
+    /* Fills flags and the constants that are the solver's own; common ones are set before. */
+    void (*choose)(const struct scene *scene, struct solver_choice *choice);
+};
+
+extern const struct variant_table solver_table; /* "solvers" */
+extern const struct solver_row solver_wcsph, solver_muller;
+
+/* Everything that follows from the scene and its solver. `cell_volume` of each body, m^3, and the
+ * number of particles of each fluid give the particle masses. */
+void solver_choose(const struct solver_row *solver, const struct scene *scene,
+                   const struct space *space, const double *fluid_volume,
+                   const size_t *fluid_particles, struct solver_choice *choice);
+
+/* Support radius of the scene's kernel, m. */
+double solver_support(const struct solver_row *solver, const struct scene *scene,
+                      const struct kernel_row **kernel);
+
+#endif

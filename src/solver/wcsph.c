@@ -1,0 +1,70 @@
+/* Weakly compressible SPH (Monaghan 1994; delta-SPH: Antuono et al. 2012, Fourtakas et al. 2019). */
+#include "scene/key.h"
+#include "solver/solver.h"
+
+#include <math.h>
+#include <string.h>
+
+static const struct key keys[] = {
+    {.path = "solver.sound_speed", .type = KEY_REAL, .flags = KEY_AUTO | KEY_ABOVE_MIN,
+     .fallback = "\"auto\"", .min = 0, .max = 1e6, .unit = "m/s", .offset = KEY_OPTION,
+     .doc = "numerical speed of sound; auto: 10 times the fastest expected flow"},
+    {.path = "solver.eos", .type = KEY_CHOICE, .fallback = "\"tait\"", .choices = "tait|linear",
+     .unit = "", .offset = KEY_OPTION,
+     .doc = "equation of state: Tait with exponent 7, or linear in density"},
+    {.path = "solver.density", .type = KEY_CHOICE, .fallback = "\"continuity\"",
+     .choices = "continuity|summation", .unit = "", .offset = KEY_OPTION,
+     .doc = "density by the continuity equation, in the force pass, or by summation"},
+    {.path = "solver.diffusion", .type = KEY_REAL, .fallback = "0.1", .min = 0, .max = 1,
+     .unit = "", .offset = KEY_OPTION,
+     .doc = "delta of delta-SPH density diffusion (continuity only)"},
+    {.path = "solver.artificial_viscosity", .type = KEY_REAL, .fallback = "0.02", .min = 0,
+     .max = 10, .unit = "", .offset = KEY_OPTION,
+     .doc = "alpha of Monaghan's artificial viscosity, on approaching pairs"},
+    {.path = "solver.pressure_form", .type = KEY_CHOICE, .fallback = "\"average\"",
+     .choices = "average|symmetric", .unit = "", .offset = KEY_OPTION,
+     .doc = "pair pressure: V_j (p_i + p_j), or V_i^2 p_i + V_j^2 p_j"},
+    {.path = "solver.clamp_negative", .type = KEY_BOOL, .fallback = "true", .unit = "",
+     .offset = KEY_OPTION, .doc = "set negative pressure to zero: no clumping at a free surface"},
+};
+
+static const enum pass_id passes[] = {
+    PASS_SORT,  PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY,
+    PASS_PRESSURE, PASS_FORCE,   PASS_WALLS,   PASS_CORRECT,
+};
+
+static void choose(const struct scene *scene, struct solver_choice *choice)
+{
+    double alpha = scene_real(scene, "solver.artificial_viscosity");
+    double delta = scene_real(scene, "solver.diffusion");
+    double c0 = scene_real(scene, "solver.sound_speed"), lightest = INFINITY;
+    choice->continuity = strcmp(scene_text(scene, "solver.density"), "continuity") == 0;
+    choice->sound_speed = isnan(c0) ? fmax(10 * choice->fastest, 1e-3) : c0;
+    choice->each.tait = strcmp(scene_text(scene, "solver.eos"), "tait") == 0;
+    choice->each.clamp = scene_flag(scene, "solver.clamp_negative");
+    for (size_t f = 0; f < scene->fluid_count; f++) {
+        double bulk = scene->fluids[f].density * choice->sound_speed * choice->sound_speed;
+        choice->each.bulk[f] = (float)(choice->each.tait ? bulk / 7 : bulk);
+        lightest = fmin(lightest, scene->fluids[f].density);
+    }
+    if (choice->continuity)
+        choice->flags |= PAIR_CONTINUITY | (delta > 0 ? PAIR_DIFFUSION : 0);
+    if (alpha > 0)
+        choice->flags |= PAIR_ARTIFICIAL;
+    if (strcmp(scene_text(scene, "solver.pressure_form"), "symmetric") == 0)
+        choice->flags |= PAIR_SYMMETRIC;
+    choice->pair.artificial = (float)(alpha * choice->sound_speed * lightest);
+    choice->pair.diffusion = (float)(2 * delta / choice->sound_speed);
+}
+
+const struct solver_row solver_wcsph = {
+    .variant = {.name = "wcsph",
+                .doc = "weakly compressible: Tait or linear pressure, density diffusion",
+                .keys = keys,
+                .key_count = sizeof keys / sizeof *keys},
+    .kernel = "wendland-c2",
+    .cfl = 0.25,
+    .passes = passes,
+    .pass_count = sizeof passes / sizeof *passes,
+    .choose = choose,
+};
