@@ -1,0 +1,14 @@
+/* Copies what is drawn of the present state into a snapshot. */
+#ifndef RUN_FRAME_H
+#define RUN_FRAME_H
+
+#include "run/film.h"
+#include "run/simulation.h"
+
+/* Particles a snapshot of this plan holds. */
+size_t frame_count(const struct plan *plan);
+
+/* Fills positions and colours in ascending id; wall particles follow when they are drawn. */
+void frame_fill(struct simulation *s, struct film_snapshot *snapshot);
+
+#endif

@@ -1,0 +1,184 @@
+/* Makes the plan: solver and constants, passes, fields, and what is left out. */
+#include "run/plan.h"
+
+#include "particles/start.h"
+#include "run/film.h"
+
+#include <math.h>
+#include <string.h>
+
+static void omit(struct plan *plan, const char *what_and_why)
+{
+    if (plan->omitted_count < sizeof plan->omitted / sizeof *plan->omitted)
+        plan->omitted[plan->omitted_count++] = what_and_why;
+}
+
+/* Whether a pass has work to do; says why not. */
+static bool pass_wanted(struct plan *plan, enum pass_id id)
+{
+    const struct solver_choice *c = &plan->choice;
+    switch (id) {
+    case PASS_DENSITY:
+        if (c->continuity)
+            omit(plan, "pass density: density follows from the continuity equation in force");
+        return !c->continuity;
+    case PASS_PRESSURE:
+        if (c->continuity)
+            omit(plan, "pass pressure: predict evaluates the equation of state");
+        return !c->continuity;
+    case PASS_WALLS:
+        if (!c->wall_planes)
+            omit(plan, "pass walls: no closed face");
+        return c->wall_planes;
+    default:
+        return true;
+    }
+}
+
+static void plan_passes(struct plan *plan)
+{
+    for (size_t k = 0; k < plan->solver->pass_count; k++) {
+        enum pass_id id = plan->solver->passes[k];
+        if (pass_wanted(plan, id))
+            plan->passes[plan->pass_count++] = &pass_table[id];
+    }
+}
+
+/* Fields that passes and drawing touch; the others are never allocated. */
+static void plan_fields(struct plan *plan)
+{
+    unsigned fields = 0;
+    for (size_t k = 0; k < plan->pass_count; k++)
+        fields |= plan->passes[k]->reads | plan->passes[k]->writes;
+    if (plan->color)
+        fields |= plan->color->reads;
+    if (plan->scene->fluid_count > 1)
+        fields |= FIELD_BIT(FIELD_FLUID);
+    else
+        omit(plan, "field fluid: one fluid");
+    if (plan->choice.flags & PAIR_OWN_VISCOSITY)
+        fields |= FIELD_BIT(FIELD_VISCOSITY);
+    else
+        omit(plan, "field viscosity: all fluids have the same");
+    plan->fields = fields;
+    for (int f = 0; f < FIELD_COUNT; f++)
+        if (fields & FIELD_BIT(f))
+            plan->bytes_per_particle += field_table[f].size * (size_t)field_table[f].copies;
+}
+
+/* Every field that a pass reads must be set at the start or written by a pass. */
+static enum status check_reads(const struct plan *plan, struct error *e)
+{
+    unsigned known = FIELD_BIT(FIELD_POSITION) | FIELD_BIT(FIELD_MOTION) |
+                     FIELD_BIT(FIELD_DENSITY) | FIELD_BIT(FIELD_ID) | FIELD_BIT(FIELD_FLUID) |
+                     FIELD_BIT(FIELD_VISCOSITY);
+    for (size_t k = 0; k < plan->pass_count; k++)
+        known |= plan->passes[k]->writes;
+    for (size_t k = 0; k < plan->pass_count; k++)
+        for (int f = 0; f < FIELD_COUNT; f++)
+            if (plan->passes[k]->reads & ~known & FIELD_BIT(f))
+                return error_set(e, STATUS_RUN, "plan: pass %s reads %s, which nothing writes",
+                                 plan->passes[k]->name, field_table[f].name);
+    return STATUS_OK;
+}
+
+static void omit_terms(struct plan *plan)
+{
+    unsigned flags = plan->choice.flags;
+    if (!(flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)))
+        omit(plan, "term viscosity: every fluid has viscosity 0");
+    if (!(flags & PAIR_ARTIFICIAL))
+        omit(plan, "term artificial viscosity: not asked for");
+    if (!(flags & PAIR_DIFFUSION))
+        omit(plan, "term density diffusion: not asked for, or density by summation");
+    if (!plan->choice.wall_particles)
+        omit(plan, "wall particles: no face is made of particles");
+}
+
+static void plan_color(struct plan *plan, const struct run_options *options)
+{
+    const struct scene *scene = plan->scene;
+    plan->draws = film_wants_pixels(options->outputs, options->output_count);
+    if (!plan->draws) {
+        omit(plan, "drawing: no output wants pixels; no GL context is opened");
+        return;
+    }
+    plan->color = (const struct color_row *)variant_find(&color_table, scene->color.by);
+    memcpy(plan->color_range, scene->color.range, sizeof plan->color_range);
+    if (!isnan(plan->color_range[0]) || plan->color->solid)
+        return;
+    struct color_expectation expect = {.fastest = plan->choice.fastest,
+                                       .depth = plan->choice.depth};
+    for (int a = 0; a < 3; a++)
+        expect.gravity += scene->gravity[a] * scene->gravity[a];
+    expect.gravity = sqrt(expect.gravity);
+    for (size_t f = 0; f < scene->fluid_count; f++)
+        expect.density = fmax(expect.density, scene->fluids[f].density);
+    plan->color->range(&expect, plan->color_range);
+}
+
+static enum status check_periods(const struct plan *plan, struct error *e)
+{
+    double reach = 2 * plan->choice.support * (1 + SKIN_MAX);
+    for (int a = 0; a < 3; a++)
+        if (plan->space.periodic[a] && plan->space.length[a] < reach)
+            return error_set(e, STATUS_USAGE,
+                             "%s: the domain is periodic and %g m long in %c, but a particle must "
+                             "not reach its own image: make it at least %g m (2.5 support radii), "
+                             "or particles.spacing smaller",
+                             plan->scene->source, plan->space.length[a], "xyz"[a], reach);
+    return STATUS_OK;
+}
+
+static enum status plan_particles(struct plan *plan, struct error *e)
+{
+    const struct scene *scene = plan->scene;
+    const struct kernel_row *kernel;
+    double support = solver_support(plan->solver, scene, &kernel), volume[FLUIDS_MAX];
+    size_t particles[FLUIDS_MAX];
+    if (scene->fluid_count > FLUIDS_MAX)
+        return error_set(e, STATUS_USAGE, "%s: %zu fluids, but at most %d are supported",
+                         scene->source, scene->fluid_count, FLUIDS_MAX);
+    plan->space = space_create(scene, ceil(support / scene->particles.spacing - 1e-6) *
+                                          scene->particles.spacing);
+    if (fill_bodies(scene, &plan->bodies, e) || fill_walls(scene, support, &plan->walls, e))
+        return e->status;
+    start_count(scene, &plan->bodies, volume, particles);
+    solver_choose(plan->solver, scene, &plan->space, volume, particles, &plan->choice);
+    return check_periods(plan, e);
+}
+
+enum status plan_make(struct plan *plan, const struct scene *scene,
+                      const struct run_options *options, struct error *e)
+{
+    *plan = (struct plan){.scene = scene};
+    bool automatic = strcmp(scene->neighbours, "auto") == 0;
+    const char *backend = options->backend ? options->backend : "auto";
+    plan->solver = (const struct solver_row *)variant_find(&solver_table, scene->solver.method);
+    plan->search = automatic ? &search_index_sort
+                             : (const struct search_row *)variant_find(&search_table,
+                                                                       scene->neighbours);
+    plan->backend = (const struct backend_row *)(strcmp(backend, "auto") == 0
+                                                     ? variant_first(&backend_table)
+                                                     : variant_find(&backend_table, backend));
+    if (!plan->backend || plan->backend->variant.missing)
+        return error_set(e, STATUS_USAGE, "--backend %s: not in this build; see sph-render list",
+                         backend);
+    if (plan_particles(plan, e)) {
+        plan_free(plan);
+        return e->status;
+    }
+    plan_passes(plan);
+    omit_terms(plan);
+    plan_color(plan, options);
+    plan_fields(plan);
+    if (check_reads(plan, e))
+        plan_free(plan);
+    return e->status;
+}
+
+void plan_free(struct plan *plan)
+{
+    fill_free(&plan->bodies);
+    fill_free(&plan->walls);
+}

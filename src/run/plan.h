@@ -1,0 +1,37 @@
+/* The plan: everything a run does, decided once from the scene and the outputs. */
+#ifndef RUN_PLAN_H
+#define RUN_PLAN_H
+
+#include "backend/backend.h"
+#include "particles/fill.h"
+#include "render/color.h"
+#include "run/run.h"
+
+struct plan {
+    const struct scene *scene;
+    const struct solver_row *solver;
+    const struct search_row *search;
+    const struct backend_row *backend;
+    const struct color_row *color; /* NULL when no output wants pixels */
+    bool draws;
+    double color_range[2];
+    struct space space;
+    struct solver_choice choice;
+    struct fill bodies, walls;     /* start points */
+    const struct pass_row *passes[PASS_COUNT]; /* of one step, in order */
+    size_t pass_count;
+    unsigned fields;               /* allocated */
+    size_t bytes_per_particle;     /* of the fields, without neighbour rows */
+    const char *omitted[32];       /* "what: why" */
+    size_t omitted_count;
+};
+
+/* STATUS_USAGE when the scene asks for what cannot be, STATUS_RUN when memory is short. */
+enum status plan_make(struct plan *plan, const struct scene *scene,
+                      const struct run_options *options, struct error *e);
+void plan_free(struct plan *plan);
+
+/* The plan in words; the same text on every machine. */
+void plan_write(const struct plan *plan, FILE *out);
+
+#endif

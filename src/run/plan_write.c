@@ -1,0 +1,89 @@
+/* Writes the plan in words. */
+#include "run/plan.h"
+
+#include <math.h>
+
+static const char *const kinds[] = {
+    [PASS_EACH] = "each", [PASS_PAIR] = "pair", [PASS_ORDER] = "order"};
+
+static void write_fields(unsigned mask, FILE *out)
+{
+    const char *comma = "";
+    if (!mask)
+        fputs("-", out);
+    for (int f = 0; f < FIELD_COUNT; f++)
+        if (mask & FIELD_BIT(f)) {
+            fprintf(out, "%s%s", comma, field_table[f].name);
+            comma = ",";
+        }
+}
+
+static void write_limits(const struct solver_choice *c, FILE *out)
+{
+    double acoustic = c->limits.acoustic / (c->sound_speed + c->fastest);
+    fprintf(out, "time step      at most %.4g s (acoustic", fmin(c->limits.user,
+            fmin(acoustic, c->limits.viscous)));
+    fprintf(out, " %.4g at %.4g m/s", acoustic, c->fastest);
+    if (isfinite(c->limits.viscous))
+        fprintf(out, ", viscous %.4g", c->limits.viscous);
+    if (isfinite(c->limits.user))
+        fprintf(out, ", scene %.4g", c->limits.user);
+    fprintf(out, "; force %.2g sqrt(h/a))\n", c->limits.force);
+}
+
+static void write_terms(const struct solver_choice *c, FILE *out)
+{
+    fprintf(out, "terms          pressure (%s)",
+            c->flags & PAIR_SYMMETRIC ? "symmetric" : "average");
+    if (c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
+        fprintf(out, ", viscosity%s", c->flags & PAIR_OWN_VISCOSITY ? " per fluid" : "");
+    if (c->flags & PAIR_ARTIFICIAL)
+        fputs(", artificial viscosity", out);
+    if (c->flags & PAIR_CONTINUITY)
+        fputs(", continuity", out);
+    if (c->flags & PAIR_DIFFUSION)
+        fputs(", density diffusion", out);
+    fputs("\n", out);
+}
+
+void plan_write(const struct plan *plan, FILE *out)
+{
+    const struct solver_choice *c = &plan->choice;
+    double ratio = c->support / c->spacing;
+    fprintf(out, "scene          %s\n", plan->scene->title);
+    fprintf(out, "particles      %zu, spacing %.4g m", plan->bodies.count, c->spacing);
+    if (plan->walls.count)
+        fprintf(out, "; %zu wall particles", plan->walls.count);
+    fprintf(out, "\nsolver         %s, kernel %s, support radius %.4g m (%.3g spacings, %d lattice "
+                 "neighbours)\n",
+            plan->solver->variant.name, c->kernel->variant.name, c->support, ratio,
+            kernel_lattice_neighbours(ratio));
+    fprintf(out, "sound speed    %.4g m/s\n", c->sound_speed);
+    write_limits(c, out);
+    write_terms(c, out);
+    fprintf(out, "neighbours     %s\n", plan->search->variant.name);
+    if (plan->draws && plan->color->solid)
+        fprintf(out, "colour         the fluids' own\n");
+    else if (plan->draws)
+        fprintf(out, "colour         %s, %.4g to %.4g %s (%s)\n", plan->color->label,
+                plan->color_range[0], plan->color_range[1], plan->color->unit,
+                isnan(plan->scene->color.range[0]) ? plan->color->estimate : "as the scene says");
+    fprintf(out, "memory         %zu bytes a particle:", plan->bytes_per_particle);
+    for (int f = 0; f < FIELD_COUNT; f++)
+        if (plan->fields & FIELD_BIT(f))
+            fprintf(out, " %s %zu", field_table[f].name,
+                    field_table[f].size * (size_t)field_table[f].copies);
+    fprintf(out, "; and 4 bytes a neighbour\n\npasses of a step\n");
+    for (size_t k = 0; k < plan->pass_count; k++) {
+        const struct pass_row *pass = plan->passes[k];
+        fprintf(out, "  %zu %-11s %-6s %s; reads ", k + 1, pass->name, kinds[pass->kind],
+                pass->doc);
+        write_fields(pass->reads, out);
+        fputs(", writes ", out);
+        write_fields(pass->writes, out);
+        fputs("\n", out);
+    }
+    fprintf(out, "\nleft out\n");
+    for (size_t k = 0; k < plan->omitted_count; k++)
+        fprintf(out, "  %s\n", plan->omitted[k]);
+}

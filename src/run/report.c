@@ -1,0 +1,108 @@
+/* Writes the report of a run. */
+#include "run/report.h"
+
+#include "base/memory.h"
+
+#include <errno.h>
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+double report_pass_seconds(const struct backend_counts *counts)
+{
+    double sum = 0;
+    for (int p = 0; p < PASS_COUNT; p++)
+        sum += counts->seconds[p];
+    return sum;
+}
+
+const char *report_processor(void)
+{
+    static char model[256] = "unknown processor";
+    char line[512];
+    FILE *f = fopen("/proc/cpuinfo", "r");
+    while (f && fgets(line, sizeof line, f)) {
+        char *colon = strchr(line, ':');
+        if (strncmp(line, "model name", 10) == 0 && colon) {
+            colon[strcspn(colon, "\n")] = 0;
+            snprintf(model, sizeof model, "%.200s", colon + 2);
+            break;
+        }
+    }
+    if (f)
+        fclose(f);
+    return model;
+}
+
+static void write_memory(void *context, const char *label, size_t bytes)
+{
+    fprintf(context, ", \"%s\": %zu", label, bytes);
+}
+
+static void write_phases(FILE *f, const struct report *r, const struct backend_counts *counts)
+{
+    fprintf(f, "  \"seconds\": {\"wall\": %.6f, \"solve\": %.6f, \"wait\": %.6f, \"draw\": %.6f, "
+               "\"encode\": %.6f",
+            r->wall, r->solve, r->film.wait, r->film.draw, r->film.encode);
+    for (int p = 0; p < PASS_COUNT; p++)
+        if (counts->runs[p])
+            fprintf(f, ", \"%s\": %.6f", pass_table[p].name, counts->seconds[p]);
+    fputs("},\n", f);
+}
+
+static void write_body(FILE *f, const struct report *r, struct simulation *s)
+{
+    const struct backend_counts *counts = s->row->counts(s->backend);
+    double steps = (double)s->stats.steps, n = (double)s->plan->bodies.count;
+    fprintf(f, "{\n  \"program\": \"sph-render %s\",\n  \"compiler\": \"%s\",\n", SPH_VERSION,
+            __VERSION__);
+    fprintf(f, "  \"machine\": {\"processor\": \"%s\", \"processors\": %d},\n", report_processor(),
+            omp_get_num_procs());
+    fprintf(f, "  \"backend\": \"%s\",\n", s->row->describe(s->backend));
+    if (r->renderer)
+        fprintf(f, "  \"renderer\": \"%s\",\n", r->renderer);
+    fprintf(f, "  \"particles\": %zu,\n  \"wall_particles\": %zu,\n", s->plan->bodies.count,
+            s->plan->walls.count);
+    fprintf(f, "  \"steps\": %ld,\n  \"rejected\": %ld,\n  \"sorts\": %ld,\n", s->stats.steps,
+            s->stats.rejected, s->stats.sorts);
+    if (steps > 0)
+        fprintf(f, "  \"dt\": {\"min\": %.9g, \"mean\": %.9g, \"max\": %.9g},\n", s->stats.dt_min,
+                s->stats.dt_sum / steps, s->stats.dt_max);
+    fprintf(f, "  \"sound_speed\": %.9g,\n  \"pairs\": %.0f,\n", s->plan->choice.sound_speed,
+            counts->pairs);
+    if (steps > 0 && n > 0)
+        fprintf(f, "  \"ns_per_particle_step\": %.3f,\n", r->solve * 1e9 / steps / n);
+    write_phases(f, r, counts);
+    fprintf(f, "  \"bytes\": {\"peak\": %zu", memory_peak());
+    memory_each(write_memory, f);
+    fputs("},\n  \"frames\": [", f);
+    for (size_t k = 0; k < r->frame_count; k++)
+        fprintf(f, "%s\n    {\"index\": %ld, \"time\": %.9g, \"state\": \"%016llx\"}", k ? "," : "",
+                r->frames[k].index, r->frames[k].time,
+                (unsigned long long)r->frames[k].state_hash);
+    fputs("],\n  \"scene\": ", f);
+    scene_write(s->plan->scene, &run_vocabulary, f);
+    fputs("}\n", f);
+}
+
+enum status report_write(const char *path, const struct report *report, struct simulation *s,
+                         struct error *e)
+{
+    char part[4200];
+    snprintf(part, sizeof part, "%s.part", path);
+    FILE *f = fopen(part, "w");
+    if (!f)
+        return error_set(e, STATUS_OUTPUT, "%s: %s", path, strerror(errno));
+    write_body(f, report, s);
+    bool good = fflush(f) == 0 && !ferror(f) && fsync(fileno(f)) == 0;
+    int why = errno;
+    if (fclose(f) != 0 || !good || rename(part, path) != 0) {
+        why = good ? errno : why;
+        unlink(part);
+        return error_set(e, STATUS_OUTPUT, "%s: %s; the report was not written", path,
+                         strerror(why));
+    }
+    return STATUS_OK;
+}

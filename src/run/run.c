@@ -1,0 +1,215 @@
+/* Runs a scene: advances to each frame's time, hands snapshots to the film, reports. */
+#include "run/run.h"
+
+#include "base/log.h"
+#include "base/memory.h"
+#include "run/frame.h"
+#include "run/report.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static volatile sig_atomic_t interrupts;
+
+static void on_interrupt(int signal_number)
+{
+    (void)signal_number;
+    if (++interrupts > 1)
+        _exit(STATUS_INTERRUPTED);
+}
+
+/* Frame times: index k is drawn at start + k * speed / fps, up to and with the end. */
+struct schedule {
+    double start, step, end; /* s */
+    long count;
+};
+
+static struct schedule schedule_make(const struct scene *scene, double at)
+{
+    struct schedule s = {.start = scene->movie.start, .end = scene->time.end};
+    s.step = scene->movie.speed / scene->movie.fps;
+    s.count = 1 + (long)floor((s.end - s.start) / s.step * (1 + 1e-12) + 1e-9);
+    if (!isnan(at))
+        s = (struct schedule){.start = at, .end = at, .step = 1, .count = 1};
+    if (s.count < 0)
+        s.count = 0;
+    return s;
+}
+
+struct session {
+    struct plan plan;
+    struct simulation simulation;
+    struct film *film;
+    struct report report;
+    struct schedule schedule;
+};
+
+static enum status advance(struct session *x, double target, struct error *e)
+{
+    double start = clock_seconds(), end = x->schedule.end;
+    struct simulation *s = &x->simulation;
+    char note[96];
+    while (s->time < target) {
+        if (interrupts)
+            return error_set(e, STATUS_INTERRUPTED, "interrupted at t = %.4g s", s->time);
+        if (simulation_step(s, target, e))
+            return e->status;
+        snprintf(note, sizeof note, "t %.3f s, frame %zu, %ld steps", s->time,
+                 x->report.frame_count, s->stats.steps);
+        log_progress(s->time, end > 0 ? end : 1, note);
+    }
+    x->report.solve += clock_seconds() - start;
+    return STATUS_OK;
+}
+
+static enum status emit(struct session *x, long index, struct error *e)
+{
+    struct simulation *s = &x->simulation;
+    struct film_snapshot *snapshot;
+    if (film_snapshot_create(x->film, frame_count(&x->plan), &snapshot, e))
+        return e->status;
+    snapshot->index = index;
+    snapshot->time = s->time;
+    snapshot->state_hash = particles_hash(s->row->state(s->backend));
+    x->report.frames[x->report.frame_count++] =
+        (struct report_frame){index, s->time, snapshot->state_hash};
+    if (snapshot->position)
+        frame_fill(s, snapshot);
+    return film_frame(x->film, snapshot, e);
+}
+
+static enum status run_frames(struct session *x, struct error *e)
+{
+    for (long k = 0; k < x->schedule.count; k++) {
+        if (advance(x, x->schedule.start + (double)k * x->schedule.step, e) || emit(x, k, e))
+            return e->status;
+    }
+    return advance(x, x->schedule.end, e);
+}
+
+static enum status film_start(struct session *x, const struct run_options *options,
+                              struct error *e)
+{
+    const struct plan *plan = &x->plan;
+    const struct scene *scene = plan->scene;
+    struct render_setup render = {
+        .scene = scene,
+        .context = options->context ? options->context : "auto",
+        .radius = scene->render.radius * scene->particles.spacing,
+    };
+    if (plan->draws) {
+        memcpy(render.range, plan->color_range, sizeof render.range);
+        render.label = plan->color->label;
+        render.unit = plan->color->unit;
+        render.solid = plan->color->solid;
+        if (isnan(scene->color.range[0]) && !render.solid)
+            log_info("colour range %.4g to %.4g %s: %s", render.range[0], render.range[1],
+                     render.unit, plan->color->estimate);
+    }
+    static struct render_setup kept; /* the film keeps a pointer to it */
+    kept = render;
+    struct film_setup setup = {.scene = scene,
+                               .render = plan->draws ? &kept : NULL,
+                               .outputs = options->outputs,
+                               .output_count = options->output_count,
+                               .single = !isnan(options->at)};
+    return film_open(&x->film, &setup, e);
+}
+
+static void say_choices(const struct session *x)
+{
+    const struct solver_choice *c = &x->plan.choice;
+    const struct simulation *s = &x->simulation;
+    log_info("%zu particles, %s on %s, support %.3g spacings, sound speed %.4g m/s, step %.3g s",
+             x->plan.bodies.count, x->plan.solver->variant.name, s->row->describe(s->backend),
+             c->support / c->spacing, c->sound_speed, s->last_dt);
+    if (film_renderer(x->film))
+        log_info("renderer %s", film_renderer(x->film));
+}
+
+static void say_results(const struct session *x)
+{
+    const struct simulation *s = &x->simulation;
+    double n = (double)x->plan.bodies.count, steps = (double)s->stats.steps;
+    log_info("%zu frames, %ld steps (%ld rejected), %.1f s: solve %.1f s (%.0f ns per particle and "
+             "step), draw %.1f s, encode %.1f s",
+             x->report.frame_count, s->stats.steps, s->stats.rejected, x->report.wall,
+             x->report.solve, n > 0 && steps > 0 ? x->report.solve * 1e9 / n / steps : 0.0,
+             x->report.film.draw, x->report.film.encode);
+}
+
+static enum status session_run(struct session *x, const struct run_options *options,
+                               struct error *e)
+{
+    double start = clock_seconds();
+    struct error closing = {STATUS_OK, ""};
+    x->report.frames =
+        memory_create("report", (size_t)x->schedule.count + 1, sizeof *x->report.frames, e);
+    if (!x->report.frames || film_start(x, options, e))
+        return e->status;
+    if (simulation_open(&x->simulation, &x->plan, options, e)) {
+        film_close(x->film, false, NULL, &closing);
+        return e->status;
+    }
+    say_choices(x);
+    enum status status = run_frames(x, e);
+    /* An interrupted or stopped run keeps the frames it has; a failed output cannot. */
+    bool keep = status == STATUS_OK || status == STATUS_INTERRUPTED || status == STATUS_RUN;
+    keep = keep && x->report.frame_count > 0;
+    x->report.renderer = film_renderer(x->film);
+    static char renderer[256];
+    if (x->report.renderer) {
+        snprintf(renderer, sizeof renderer, "%s", x->report.renderer);
+        x->report.renderer = renderer;
+    }
+    film_close(x->film, keep, &x->report.film, &closing);
+    log_progress_end();
+    x->report.wall = clock_seconds() - start;
+    if (status == STATUS_OK && closing.status)
+        *e = closing;
+    if (e->status == STATUS_OK) {
+        say_results(x);
+        if (options->report)
+            report_write(options->report, &x->report, &x->simulation, e);
+    }
+    simulation_close(&x->simulation);
+    return e->status;
+}
+
+static void catch_interrupt(bool on)
+{
+    struct sigaction action = {.sa_handler = on ? on_interrupt : SIG_DFL};
+    sigaction(SIGINT, &action, NULL);
+    interrupts = 0;
+}
+
+enum status run_scene(const struct scene *scene, const struct run_options *options,
+                      struct error *e)
+{
+    struct session x = {0};
+    e->status = STATUS_OK;
+    if (plan_make(&x.plan, scene, options, e))
+        return e->status;
+    x.schedule = schedule_make(scene, options->at);
+    catch_interrupt(true);
+    session_run(&x, options, e);
+    catch_interrupt(false);
+    memory_free(x.report.frames);
+    plan_free(&x.plan);
+    return e->status;
+}
+
+enum status run_plan(const struct scene *scene, const struct run_options *options, FILE *out,
+                     struct error *e)
+{
+    struct plan plan;
+    e->status = STATUS_OK;
+    if (plan_make(&plan, scene, options, e))
+        return e->status;
+    plan_write(&plan, out);
+    plan_free(&plan);
+    return STATUS_OK;
+}

@@ -1,0 +1,213 @@
+/* The time loop: limits, steps, rejections. */
+#include "run/simulation.h"
+
+#include "base/log.h"
+#include "particles/start.h"
+
+#include <math.h>
+
+enum { HALVINGS_MAX = 12 };
+
+static enum status run(struct simulation *s, enum pass_id pass, struct step *step,
+                       struct error *e)
+{
+    return s->row->run(s->backend, pass, step, e);
+}
+
+/* The largest step that every limit allows from the present state, s. */
+static double natural_step(const struct simulation *s)
+{
+    const struct step_limits *limit = &s->plan->choice.limits;
+    double h = s->plan->choice.smoothing_length, d = s->plan->choice.spacing;
+    double speed = sqrt(s->extremes.speed2), acceleration = sqrt(s->extremes.acceleration2);
+    double dt = limit->acoustic / (s->plan->choice.sound_speed + speed);
+    dt = fmin(dt, limit->viscous);
+    dt = fmin(dt, limit->user);
+    if (acceleration > 0)
+        dt = fmin(dt, limit->force * sqrt(h / acceleration));
+    if (speed > 0)
+        dt = fmin(dt, 0.4 * d / speed); /* well below the half spacing of the guard */
+    return fmin(dt, 1.1 * s->last_dt);
+}
+
+/* How far any particle can move in a step of dt from the present state, m. */
+static double reach(const struct simulation *s, double dt)
+{
+    return dt * (sqrt(s->extremes.speed2) + dt * sqrt(s->extremes.acceleration2)) * 1.001;
+}
+
+/* Sorts and builds rows when this step could carry a particle out of its row's reach. The skin of
+ * the rows balances fewer builds against longer rows: with u = 2 move / support, the cost
+ * (1 + s)^3 (1 + u/s) is least near s = sqrt(u/3). */
+static enum status keep_rows(struct simulation *s, double dt, struct error *e)
+{
+    double support = s->plan->choice.support, move = reach(s, dt);
+    if (s->stats.sorts > 0 && s->moved + move <= s->allowance)
+        return STATUS_OK;
+    double soon = dt * (sqrt(s->extremes.speed2) + 4 * dt * sqrt(s->extremes.acceleration2));
+    double skin = sqrt(2 * soon / support / 3), given = s->plan->scene->solver.skin;
+    skin = isnan(given) ? skin : given;
+    skin = fmax(skin, fmax(0.01, 2.02 * move / support));
+    skin = fmin(skin, SKIN_MAX);
+    struct step step = {.list_radius = support * (1 + skin)};
+    s->allowance = support * skin / 2;
+    s->moved = 0;
+    s->stats.sorts++;
+    if (run(s, PASS_SORT, &step, e))
+        return e->status;
+    return run(s, PASS_NEIGHBOURS, &step, e);
+}
+
+static bool in_step(const struct simulation *s, enum pass_id id)
+{
+    for (size_t k = 0; k < s->plan->pass_count; k++)
+        if (s->plan->passes[k]->id == id)
+            return true;
+    return false;
+}
+
+static enum status evaluate_forces(struct simulation *s, struct step *step, struct error *e)
+{
+    static const enum pass_id passes[] = {PASS_DENSITY, PASS_PRESSURE, PASS_FORCE, PASS_WALLS};
+    for (size_t k = 0; k < sizeof passes / sizeof *passes; k++)
+        if (in_step(s, passes[k]) && run(s, passes[k], step, e))
+            return e->status;
+    return STATUS_OK;
+}
+
+/* One try; sets *bad to the id of a particle that must not move so, or UINT32_MAX. */
+static enum status try_step(struct simulation *s, double dt, uint32_t *bad, struct error *e)
+{
+    struct step step = {.dt = (float)dt};
+    s->row->begin(s->backend);
+    if (run(s, PASS_PREDICT, &step, e))
+        return e->status;
+    double moved = sqrt(step.extremes.move2);
+    *bad = step.extremes.bad;
+    if (*bad == UINT32_MAX) {
+        if (evaluate_forces(s, &step, e) || run(s, PASS_CORRECT, &step, e))
+            return e->status;
+        *bad = step.extremes.bad;
+    }
+    if (*bad != UINT32_MAX) {
+        s->row->reject(s->backend);
+        s->stats.rejected++;
+        return STATUS_OK;
+    }
+    s->moved += moved;
+    s->extremes = step.extremes;
+    return STATUS_OK;
+}
+
+/* What stopped the run, in terms of the scene. */
+static enum status give_up(struct simulation *s, double dt, uint32_t bad, struct error *e)
+{
+    const struct particles *p = s->row->state(s->backend);
+    const struct space *space = &s->plan->space;
+    size_t i = 0;
+    while (i + 1 < p->count && particles_id(p)[i] != bad)
+        i++;
+    const struct position *x = &particles_position(p)[i];
+    const float *v = particles_motion(p)[i].velocity;
+    const float *a = particles_rate(p)[i].acceleration;
+    double speed = sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
+    double force = sqrt((double)a[0] * a[0] + (double)a[1] * a[1] + (double)a[2] * a[2]);
+    double c0 = s->plan->choice.sound_speed;
+    const char *cause, *change;
+    if (!isfinite(speed) || !isfinite(force)) {
+        cause = "a value that is not finite";
+        change = "look for overlapping bodies or an extreme stiffness";
+    } else if (speed > c0) {
+        cause = "flow faster than the numerical speed of sound";
+        change = "raise solver.sound_speed (solver.stiffness) to 10 times the fastest flow";
+    } else {
+        cause = "a force that no time step resolves";
+        change = "lower the stiffness, separate overlapping particles, or use a smaller spacing";
+    }
+    return error_set(e, STATUS_RUN,
+                     "stopped at t = %.6g s: particle %u at (%.4g, %.4g, %.4g) m, speed %.4g m/s, "
+                     "acceleration %.4g m/s^2, still unstable after %d halvings of the time step "
+                     "(now %.3g s); cause: %s; %s. Frames up to now are kept",
+                     s->time, bad, space_metres(space, 0, x->count[0]),
+                     space_metres(space, 1, x->count[1]), space_metres(space, 2, x->count[2]),
+                     speed, force, HALVINGS_MAX, dt, cause, change);
+}
+
+enum status simulation_step(struct simulation *s, double target, struct error *e)
+{
+    double limit = natural_step(s), left = target - s->time, most = limit;
+    for (int halvings = 0; halvings <= HALVINGS_MAX; halvings++) {
+        double parts = ceil(left / most * (1 - 1e-9)); /* equal steps up to the target */
+        double dt = left / fmax(parts, 1);
+        uint32_t bad = UINT32_MAX;
+        if (keep_rows(s, dt, e) || try_step(s, dt, &bad, e))
+            return e->status;
+        if (bad == UINT32_MAX) {
+            s->time = parts <= 1 ? target : s->time + dt;
+            s->last_dt = most;
+            s->stats.steps++;
+            s->stats.dt_sum += dt;
+            s->stats.dt_min = fmin(s->stats.dt_min, dt);
+            s->stats.dt_max = fmax(s->stats.dt_max, dt);
+            return STATUS_OK;
+        }
+        log_detail("t = %.6g s: step of %.3g s rejected (particle %u)", s->time, dt, bad);
+        if (halvings == HALVINGS_MAX)
+            return give_up(s, dt, bad, e);
+        most = dt / 2;
+    }
+    return STATUS_OK;
+}
+
+enum status simulation_advance(struct simulation *s, double target, struct error *e)
+{
+    while (s->time < target)
+        if (simulation_step(s, target, e))
+            return e->status;
+    return STATUS_OK;
+}
+
+enum status simulation_open(struct simulation *s, const struct plan *plan,
+                            const struct run_options *options, struct error *e)
+{
+    struct particles particles = {0}, walls = {0};
+    struct backend_setup setup = {
+        .choice = &plan->choice,
+        .space = &plan->space,
+        .search = plan->search,
+        .isa = options->isa ? options->isa : "auto",
+        .threads = options->threads,
+        .fields = plan->fields,
+        .fluid_count = plan->scene->fluid_count,
+    };
+    struct step step = {0};
+    *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY};
+    s->stats.dt_min = INFINITY;
+    if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
+        start_walls(&plan->space, &plan->walls, &walls, e) ||
+        s->row->open(&s->backend, &setup, &particles, &walls, e)) {
+        particles_free(&particles);
+        particles_free(&walls);
+        return e->status;
+    }
+    s->last_dt = natural_step(s);
+    if (keep_rows(s, 0, e) || (plan->choice.continuity && run(s, PASS_PRESSURE, &step, e)))
+        goto failed;
+    if (evaluate_forces(s, &step, e) || run(s, PASS_CORRECT, &step, e))
+        goto failed;
+    s->extremes = step.extremes;
+    s->last_dt = INFINITY;
+    s->last_dt = natural_step(s);
+    s->allowance = 0; /* rows for the first real step */
+    return STATUS_OK;
+failed:
+    simulation_close(s);
+    return e->status;
+}
+
+void simulation_close(struct simulation *s)
+{
+    if (s->backend)
+        s->row->close(s->backend);
+    s->backend = NULL;
+}

@@ -1,0 +1,33 @@
+/* Advances particles through time, safely: chooses time steps, rejects bad ones, sorts when needed. */
+#ifndef RUN_SIMULATION_H
+#define RUN_SIMULATION_H
+
+#include "run/plan.h"
+
+struct simulation {
+    const struct plan *plan;
+    const struct backend_row *row;
+    struct backend *backend;
+    double time;              /* s, of the present state */
+    double last_dt;           /* natural limit of the last step, s */
+    struct extremes extremes; /* of the present state */
+    double moved, allowance;  /* m since the last sort, and at most */
+    struct {
+        long steps, rejected, sorts;
+        double dt_min, dt_max, dt_sum; /* s */
+    } stats;
+};
+
+/* Creates the particles and evaluates the first forces. */
+enum status simulation_open(struct simulation *s, const struct plan *plan,
+                            const struct run_options *options, struct error *e);
+
+/* Steps until the state is at exactly `target` seconds. STATUS_RUN when a step cannot be made
+ * stable: the message names the particle, the cause and what to change. */
+enum status simulation_advance(struct simulation *s, double target, struct error *e);
+
+/* Takes one step of the natural size, not beyond `target`. */
+enum status simulation_step(struct simulation *s, double target, struct error *e);
+void simulation_close(struct simulation *s);
+
+#endif
