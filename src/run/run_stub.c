@@ -2,9 +2,18 @@
 #include "base/log.h"
 #include "run/run.h"
 
+#include <math.h>
 #include <stdarg.h>
 
-const struct vocabulary run_vocabulary = {NULL, 0};
+static const struct key wcsph_keys[] = {
+    {"solver.sound_speed", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", 0, INFINITY, "m/s", NULL,
+     "numerical speed of sound", KEY_OPTION}};
+static const struct variant wcsph = {"wcsph", "weakly compressible", wcsph_keys, 1, NULL};
+static const struct variant muller = {"muller", "Mueller et al. 2003", NULL, 0, NULL};
+static const struct variant *const solver_rows[] = {&wcsph, &muller};
+static const struct variant_table solvers = {"solvers", "pressure solvers", solver_rows, 2};
+static const struct variant_table *const tables[] = {&solvers};
+const struct vocabulary run_vocabulary = {tables, 1};
 
 enum status run_plan(const struct scene *scene, const struct run_options *options, FILE *out,
                      struct error *e)

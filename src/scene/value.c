@@ -31,12 +31,11 @@ static enum status wrong_type(const struct reading *r, int node)
     char expected[160];
     value_expected(r->key, expected, sizeof expected);
     const struct json_node *n = &r->doc->nodes[node];
+    const char *mark = n->kind == JSON_STRING ? "\"" : "";
     int length = n->end - n->start < 40 ? n->end - n->start : 40;
     if (n->kind == JSON_STRING || n->kind == JSON_NUMBER || n->kind == JSON_BOOL)
-        return json_fail(r->doc, start_of(r, node), r->e, "%s must be %s%s, not %s %.*s", r->path,
-                         expected, auto_hint(r),
-                         n->kind == JSON_BOOL ? "the word" : json_kind_name(n->kind) + 2, length,
-                         r->doc->text + n->start);
+        return json_fail(r->doc, start_of(r, node), r->e, "%s must be %s%s, not %s%.*s%s", r->path,
+                         expected, auto_hint(r), mark, length, r->doc->text + n->start, mark);
     return json_fail(r->doc, start_of(r, node), r->e, "%s must be %s%s, not %s", r->path, expected,
                      auto_hint(r), json_kind_name(n->kind));
 }
