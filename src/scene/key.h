@@ -15,7 +15,8 @@ enum key_type {
     KEY_CHOICE, /* char[KEY_TEXT_SIZE], one of `choices` */
     KEY_VEC3,   /* double[3] */
     KEY_PAIR,   /* double[2] */
-    KEY_SIZE    /* int[2] */
+    KEY_SIZE,   /* int[2] */
+    KEY_ENUM    /* int: place in `choices`, "box|sphere|cylinder" */
 };
 
 enum { KEY_TEXT_SIZE = 128 };
@@ -31,12 +32,15 @@ struct key {
     const char *fallback; /* default as JSON text; NULL: required (in an array: per element) */
     double min, max;      /* range of numbers, per component; equal: no limit */
     const char *unit;     /* SI, "" for none */
-    const char *choices;  /* KEY_CHOICE: name of a variant table, or "box|sphere|cylinder" */
+    const char *choices;  /* KEY_CHOICE: name of a variant table, or words "a|b"; KEY_ENUM: words */
     const char *doc;
     size_t offset;        /* into struct scene, or into the element; KEY_OPTION: see scene_real */
 };
 
-#define KEY_OPTION ((size_t)-1) /* value kept by path: rows that belong to a variant */
+/* Value kept by path: rows that belong to a variant. Not inside arrays. The key is accepted, and has
+ * a value, only while its variant is the one chosen in its table; the variants of a table that no
+ * scene key chooses from (forces, encoders) always take theirs. Two variants may share a path. */
+#define KEY_OPTION ((size_t)-1)
 
 /* Everything a scene file may name: the tables that choices refer to and whose variants may bring
  * keys of their own. Made by run/tables.h, so that scene/ knows no solver. */

@@ -31,10 +31,11 @@ struct scene_fluid {
 };
 
 struct scene_body {
+    char fluid_name[KEY_TEXT_SIZE]; /* as written; never empty once loaded */
     int fluid;             /* index into fluids */
     enum body_shape shape;
     double min[3], max[3]; /* box */
-    double center[3];      /* sphere; middle of a cylinder's axis */
+    double center[3];      /* m; sphere; middle of a cylinder's axis */
     double radius, height; /* sphere and cylinder; cylinder's full height along axis */
     int axis;              /* cylinder: 0 x, 1 y, 2 z */
     enum body_fill fill;
@@ -114,9 +115,11 @@ struct scene {
     size_t option_count;
 };
 
-/* Settings from the command line, applied over the file: "key.path=value". */
+/* Settings from the command line, applied over the file in order: "key.path=value", the value in
+ * JSON or, for text, bare. */
 struct scene_overrides {
     const char *const *items;
+    const char *const *labels; /* what the user wrote, "--fps 60", for messages; NULL: --set ITEM */
     size_t count;
 };
 
@@ -126,13 +129,22 @@ enum status scene_load(struct scene **scene, const char *path, const struct scen
                        const struct vocabulary *vocabulary, struct error *e);
 void scene_free(struct scene *scene);
 
-/* The value of a variant's own key; the key must be in the vocabulary the scene was loaded with. */
+/* The value of a variant's own key. NAN, false or "" when its variant is not the one chosen (see
+ * KEY_OPTION), so that a reader shared by variants can tell. */
 double scene_real(const struct scene *scene, const char *path);
 bool scene_flag(const struct scene *scene, const char *path);
 const char *scene_text(const struct scene *scene, const char *path);
 
+/* The same for KEY_INT (0 when absent) and KEY_VEC3 or KEY_PAIR (NULL when absent). */
+int64_t scene_integer(const struct scene *scene, const char *path);
+const double *scene_vector(const struct scene *scene, const char *path);
+
 /* Writes every key with its value in force, as a scene file that loads to the same scene. */
 void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);
+
+/* scene_write to a file, by way of PATH.part and rename; "-" is stdout. STATUS_OUTPUT. */
+enum status scene_save(const struct scene *scene, const struct vocabulary *vocabulary,
+                       const char *path, struct error *e);
 
 /* JSON Schema (draft 2020-12) of scene files; and a table of all keys for a person. */
 void scene_write_schema(const struct vocabulary *vocabulary, FILE *out);

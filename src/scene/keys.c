@@ -1,0 +1,164 @@
+/* The table of the scene's own keys: type, default, range, unit, meaning, place in struct scene. */
+#include "scene/keys.h"
+
+#include <math.h>
+#include <string.h>
+
+#define IN(member) offsetof(struct scene, member)
+#define FLUID(member) offsetof(struct scene_fluid, member)
+#define BODY(member) offsetof(struct scene_body, member)
+#define ANY 0, 0           /* no range */
+#define FROM(low) low, INFINITY
+#define WALLS "closed|particles|periodic"
+#define FACE(name, index) \
+    {"domain.walls." name, KEY_ENUM, 0, "\"closed\"", ANY, "", WALLS, "wall at the " name " face", \
+     IN(domain.walls) + index * sizeof(enum wall_kind)}
+
+/* An enum is stored through an int. */
+_Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
+               sizeof(enum body_fill) == sizeof(int), "enums are ints");
+
+const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
+
+const struct key scene_core_keys[] = {
+    {"title", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
+     "shown in the film when render.title is true", IN(title)},
+    {"gravity", KEY_VEC3, 0, "[0, -9.81, 0]", ANY, "m/s^2", NULL,
+     "acceleration of every particle", IN(gravity)},
+
+    {"domain.min", KEY_VEC3, 0, NULL, ANY, "m", NULL, "lowest corner of the box", IN(domain.min)},
+    {"domain.max", KEY_VEC3, 0, NULL, ANY, "m", NULL, "highest corner of the box", IN(domain.max)},
+    {"domain.walls", KEY_ENUM, 0, "\"closed\"", ANY, "", WALLS,
+     "all faces at once, or an object of faces: a closed plane, boundary particles before one, or "
+     "joined to the opposite face", KEY_GROUP},
+    FACE("-x", 0), FACE("+x", 1), FACE("-y", 2), FACE("+y", 3), FACE("-z", 4), FACE("+z", 5),
+    {"domain.restitution", KEY_REAL, 0, "0", 0, 1, "", NULL,
+     "part of the normal velocity kept by a bounce off a plane", IN(domain.restitution)},
+    {"domain.friction", KEY_REAL, 0, "0", 0, 1, "", NULL,
+     "part of the tangential velocity lost by a bounce off a plane", IN(domain.friction)},
+
+    {"particles.spacing", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL,
+     "distance of neighbours at the start; halving it takes 8 times the particles",
+     IN(particles.spacing)},
+
+    {"fluids[].name", KEY_TEXT, 0, "\"water\"", ANY, "", NULL,
+     "what bodies call it; each fluid its own", FLUID(name)},
+    {"fluids[].density", KEY_REAL, KEY_ABOVE_MIN, "1000", FROM(0), "kg/m^3", NULL,
+     "rest density", FLUID(density)},
+    {"fluids[].viscosity", KEY_REAL, 0, "1e-3", FROM(0), "Pa s", NULL,
+     "dynamic viscosity", FLUID(viscosity)},
+    {"fluids[].color", KEY_VEC3, 0, "[0.16, 0.44, 0.80]", 0, 1, "", NULL,
+     "red, green, blue for color.by solid", FLUID(color)},
+
+    {"bodies[].fluid", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
+     "name of its fluid; empty: the first", BODY(fluid_name)},
+    {"bodies[].shape", KEY_ENUM, 0, NULL, ANY, "", "box|sphere|cylinder",
+     "what is filled with particles", BODY(shape)},
+    {"bodies[].min", KEY_VEC3, 0, NULL, ANY, "m", NULL, "box: lowest corner", BODY(min)},
+    {"bodies[].max", KEY_VEC3, 0, NULL, ANY, "m", NULL, "box: highest corner", BODY(max)},
+    {"bodies[].center", KEY_VEC3, 0, NULL, ANY, "m", NULL,
+     "sphere, cylinder: its middle", BODY(center)},
+    {"bodies[].radius", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL,
+     "sphere, cylinder", BODY(radius)},
+    {"bodies[].height", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL,
+     "cylinder: full length along its axis", BODY(height)},
+    {"bodies[].axis", KEY_ENUM, 0, "\"y\"", ANY, "", "x|y|z", "cylinder: its axis", BODY(axis)},
+    {"bodies[].fill", KEY_ENUM, 0, "\"grid\"", ANY, "", "grid|random",
+     "particles on a lattice, or at random", BODY(fill)},
+    {"bodies[].jitter", KEY_REAL, 0, "0", 0, 0.5, "spacings", NULL,
+     "standard deviation of the displacement from the lattice", BODY(jitter)},
+    {"bodies[].seed", KEY_INT, 0, "0", FROM(0), "", NULL,
+     "another number, another random fill or jitter", BODY(seed)},
+    {"bodies[].velocity", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m/s", NULL,
+     "at the start", BODY(velocity)},
+
+    {"solver.method", KEY_CHOICE, 0, "\"wcsph\"", ANY, "", "solvers",
+     "pressure solver", IN(solver.method)},
+    {"solver.kernel", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "kernels",
+     "smoothing kernel; auto: the method's", IN(solver.kernel)},
+    {"solver.support", KEY_REAL, KEY_AUTO, "\"auto\"", 1, 6, "spacings", NULL,
+     "support radius of the kernel; auto: the kernel's", IN(solver.support)},
+    {"solver.skin", KEY_REAL, KEY_AUTO, "\"auto\"", 0, 1, "supports", NULL,
+     "extra radius of neighbour lists, so that steps share them; auto: what is fastest",
+     IN(solver.skin)},
+    {"neighbours", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "neighbours",
+     "neighbour search; all give the same bits", IN(neighbours)},
+
+    {"time.end", KEY_REAL, 0, NULL, FROM(0), "s", NULL, "the run ends here", IN(time.end)},
+    {"time.step", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", FROM(0), "s", NULL,
+     "upper bound of the time step; auto: what is stable", IN(time.step)},
+    {"time.cfl", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", 0, 10, "", NULL,
+     "support radii that sound travels in a step at most; auto: the method's", IN(time.cfl)},
+
+    {"movie.size", KEY_SIZE, 0, "[1280, 720]", 16, 16384, "pixels", NULL,
+     "width and height", IN(movie.size)},
+    {"movie.fps", KEY_REAL, KEY_ABOVE_MIN, "30", 0, 1000, "1/s", NULL,
+     "frames per second of film", IN(movie.fps)},
+    {"movie.start", KEY_REAL, 0, "0", FROM(0), "s", NULL, "scene time of the first frame",
+     IN(movie.start)},
+    {"movie.speed", KEY_REAL, KEY_ABOVE_MIN, "1", FROM(0), "", NULL,
+     "scene seconds per second of film; 0.5 is slow motion", IN(movie.speed)},
+
+    {"camera.eye", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
+     "where the camera is; auto: frames the domain", IN(camera.eye)},
+    {"camera.target", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
+     "what it looks at; auto: middle of the domain", IN(camera.target)},
+    {"camera.up", KEY_VEC3, 0, "[0, 1, 0]", ANY, "", NULL, "direction that is up in the picture",
+     IN(camera.up)},
+    {"camera.fov", KEY_REAL, 0, "35", 1, 150, "degrees", NULL, "vertical angle of view",
+     IN(camera.fov)},
+    {"camera.orbit_period", KEY_REAL, 0, "0", ANY, "s", NULL,
+     "scene time of a turn about up; 0: still", IN(camera.orbit_period)},
+
+    {"color.by", KEY_CHOICE, 0, "\"velocity\"", ANY, "", "colors", "quantity shown", IN(color.by)},
+    {"color.map", KEY_CHOICE, 0, "\"viridis\"", ANY, "", "maps", "colour map", IN(color.map)},
+    {"color.range", KEY_PAIR, KEY_AUTO, "\"auto\"", ANY, "of color.by", NULL,
+     "values at the ends of the map, for the whole film; auto: a physical estimate",
+     IN(color.range)},
+    {"color.legend", KEY_BOOL, 0, "true", ANY, "", NULL, "colour bar with label and unit",
+     IN(color.legend)},
+
+    {"render.background", KEY_VEC3, 0, "[0.96, 0.97, 0.98]", 0, 1, "", NULL, "red, green, blue",
+     IN(render.background)},
+    {"render.radius", KEY_REAL, KEY_ABOVE_MIN, "0.5", 0, 4, "spacings", NULL,
+     "radius of a drawn particle", IN(render.radius)},
+    {"render.box", KEY_BOOL, 0, "true", ANY, "", NULL, "edges of the domain", IN(render.box)},
+    {"render.time", KEY_BOOL, 0, "true", ANY, "", NULL, "time stamp", IN(render.time)},
+    {"render.title", KEY_BOOL, 0, "true", ANY, "", NULL, "title", IN(render.title)},
+    {"render.boundary", KEY_BOOL, 0, "false", ANY, "", NULL, "boundary particles too",
+     IN(render.boundary)},
+};
+const size_t scene_core_key_count = sizeof scene_core_keys / sizeof *scene_core_keys;
+
+const struct key_array scene_arrays[ARRAY_COUNT] = {
+    {"fluids", "fluids[].", IN(fluids), IN(fluid_count), sizeof(struct scene_fluid)},
+    {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body)},
+};
+
+enum { BOX = 1 << BODY_BOX, SPHERE = 1 << BODY_SPHERE, CYLINDER = 1 << BODY_CYLINDER };
+static const struct { const char *path; unsigned shapes; } shaped[] = {
+    {"bodies[].min", BOX},
+    {"bodies[].max", BOX},
+    {"bodies[].center", SPHERE | CYLINDER},
+    {"bodies[].radius", SPHERE | CYLINDER},
+    {"bodies[].height", CYLINDER},
+    {"bodies[].axis", CYLINDER},
+};
+
+static unsigned shapes_of(const struct key *key)
+{
+    for (size_t i = 0; i < sizeof shaped / sizeof *shaped; i++)
+        if (strcmp(shaped[i].path, key->path) == 0)
+            return shaped[i].shapes;
+    return BOX | SPHERE | CYLINDER;
+}
+
+bool key_fits_shape(const struct key *key, enum body_shape shape)
+{
+    return shapes_of(key) >> shape & 1;
+}
+
+bool key_is_shaped(const struct key *key)
+{
+    return shapes_of(key) != (BOX | SPHERE | CYLINDER);
+}

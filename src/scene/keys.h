@@ -1,0 +1,78 @@
+/* All scene keys in one list: the core rows, then those of every variant in the vocabulary. */
+#ifndef SCENE_KEYS_H
+#define SCENE_KEYS_H
+
+#include "scene/key.h"
+#include "scene/scene.h"
+
+/* An offset for a key that stands for all keys below it ("domain.walls": one word, six faces). */
+#define KEY_GROUP ((size_t)-2)
+
+extern const struct key scene_core_keys[];
+extern const size_t scene_core_key_count;
+
+/* Arrays of objects: where the elements live in struct scene. */
+struct key_array {
+    const char *name;   /* "fluids" */
+    const char *prefix; /* of its keys: "fluids[]." */
+    size_t items, count; /* offsets of the pointer and of the size_t */
+    size_t size;        /* bytes of one element */
+};
+enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_COUNT };
+extern const struct key_array scene_arrays[ARRAY_COUNT];
+
+/* Whether a body of this shape reads the key; keys that no shape owns are read by all. */
+bool key_fits_shape(const struct key *key, enum body_shape shape);
+/* Whether only some shapes read the key. */
+bool key_is_shaped(const struct key *key);
+
+struct key_entry {
+    const struct key *key;
+    const struct variant_table *table; /* NULL for core keys */
+    const struct variant *owner;
+};
+
+struct key_list {
+    struct key_entry *items;
+    size_t count;
+    const struct vocabulary *vocabulary;
+};
+
+/* STATUS_RUN when memory is short. vocabulary may be NULL. */
+enum status key_list_create(struct key_list *list, const struct vocabulary *vocabulary,
+                            struct error *e);
+void key_list_free(struct key_list *list);
+
+/* First row of that path, or list->count. */
+size_t key_list_find(const struct key_list *list, const char *path);
+
+/* Whether the row takes part: core, or owned by a variant that the scene chose. */
+bool key_list_active(const struct key_list *list, size_t row, const struct scene *scene);
+
+/* The core row by which a scene chooses from the table, or NULL. */
+const struct key *key_chooser(const struct variant_table *table);
+
+enum key_place {
+    PLACE_NONE,
+    PLACE_LEAF,   /* a value */
+    PLACE_GROUP,  /* a value for all below it, or an object */
+    PLACE_OBJECT,
+    PLACE_ARRAY   /* of objects */
+};
+
+/* What lies directly below `prefix` ("", "time.", "bodies[].") on the way to row `row`: its name,
+ * and PLACE_NONE when the row is not below, or an earlier row already led there. */
+enum key_place key_child(const struct key_list *list, size_t row, const char *prefix,
+                         char name[KEY_TEXT_SIZE]);
+
+/* The same by name: the row that leads there first, or list->count. */
+size_t key_child_find(const struct key_list *list, const char *prefix, const char *name,
+                      enum key_place *place);
+
+const struct variant_table *vocabulary_table(const struct vocabulary *vocabulary, const char *name);
+
+/* Place of the word in "a|b|c", or -1; and the word at a place, "" beyond the last. */
+int key_word_index(const char *choices, const char *word);
+void key_word_at(const char *choices, int index, char word[KEY_TEXT_SIZE]);
+
+#endif

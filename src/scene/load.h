@@ -1,0 +1,55 @@
+/* A scene on its way from text to struct: which key is said where, so that every check can point. */
+#ifndef SCENE_LOAD_H
+#define SCENE_LOAD_H
+
+#include "scene/json.h"
+#include "scene/keys.h"
+
+struct place {
+    const struct json *doc; /* NULL: not said, the default holds */
+    int node;               /* the value */
+};
+
+struct said_array {
+    struct place place;     /* the array itself */
+    size_t count;           /* elements */
+    struct place *elements; /* count */
+    struct place *said;     /* count * keys.count: by element, then by row */
+};
+
+struct load {
+    struct key_list keys;
+    struct json file;
+    struct json *sets;      /* one per override */
+    size_t set_count;
+    struct place *said;     /* by row, outside arrays */
+    struct said_array arrays[ARRAY_COUNT];
+    struct scene *scene;
+    struct error *e;
+};
+
+/* Notes where each key of the object is said. Unknown and duplicate keys are STATUS_USAGE. */
+enum status say_file(struct load *load);
+
+/* Notes override number i, said after the file. */
+enum status say_override(struct load *load, const struct scene_overrides *set, size_t i);
+
+/* Records "PLACE: message"; the beginning of the file when the place is not said. STATUS_USAGE. */
+enum status load_fail(struct load *load, struct place place, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Where a key is said: outside arrays, or in element i of an array. A key that is not said is the
+ * object that should hold it. */
+struct place load_place(const struct load *load, const char *path);
+struct place load_element_place(const struct load *load, int array, size_t i, const char *path);
+
+/* Semantic checks over a scene that is filled in. STATUS_USAGE. */
+enum status check_scene(struct load *load);
+enum status check_bodies(struct load *load);
+
+/* Volume of a body, m^3; its bounding box; whether two bodies share more than `slack` metres. */
+double body_volume(const struct scene_body *body);
+void body_bounds(const struct scene_body *body, double min[3], double max[3]);
+bool body_overlap(const struct scene_body *a, const struct scene_body *b, double slack);
+
+#endif

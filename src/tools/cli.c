@@ -1,0 +1,102 @@
+/* Chooses between a sub-command and a film, and runs it. */
+#include "tools/cli.h"
+#include "base/log.h"
+#include "base/suggest.h"
+#include "tools/tools.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static void print_version(FILE *out, struct argp_state *state)
+{
+    (void)state;
+    fprintf(out, "sph-render %s (EGL %d, OSMesa %d, libav %d, cairo %d, CUDA %d, MPI %d)\n",
+            SPH_VERSION, HAVE_EGL, HAVE_OSMESA, HAVE_LIBAV, HAVE_CAIRO, HAVE_CUDA, HAVE_MPI);
+}
+
+/* A mistyped sub-command looks like a scene file that is not there. */
+static enum status check_scene_name(const struct cli *cli, struct error *e)
+{
+    struct suggest near;
+    if (!cli->scene)
+        return error_set(e, STATUS_USAGE, "no scene; for example: sph-render scenes/dambreak.json "
+                         "-o dam.mp4 (--help shows more)");
+    if (access(cli->scene, F_OK) == 0)
+        return STATUS_OK;
+    suggest_start(&near, cli->scene);
+    for (size_t i = 0; i < tool_table.count; i++)
+        suggest_offer(&near, tool_table.rows[i]->name);
+    const char *best = suggest_best(&near);
+    if (best)
+        return error_set(e, STATUS_USAGE, "%s: there is no such scene file; did you mean the "
+                         "sub-command `sph-render %s'?", cli->scene, best);
+    return STATUS_OK;
+}
+
+static enum status check_outputs(const struct cli *cli, struct error *e)
+{
+    for (size_t i = 0; i < cli->run.output_count; i++)
+        if (!cli->outputs[i][0])
+            return error_set(e, STATUS_USAGE, "-o: the name is empty; give for example film.mp4");
+    if (cli->run.output_count || cli->check || cli->plan || cli->run.report ||
+        cli->run.write_scene)
+        return STATUS_OK;
+    return error_set(e, STATUS_USAGE, "no output; add -o film.mp4, -o 'frame-%%04d.png', -o null "
+                     "or -o hash; or --check, --plan or --report FILE.json");
+}
+
+static enum status film(const struct cli *cli, const struct scene *scene, struct error *e)
+{
+    bool run = !cli->check && !cli->plan && (cli->run.output_count || cli->run.report);
+    if (cli->run.at > scene->time.end)
+        return error_set(e, STATUS_USAGE, "--at %g is after the end of the scene at %g s; add "
+                         "--end %g", cli->run.at, scene->time.end, cli->run.at);
+    if (run)
+        return run_scene(scene, &cli->run, e);
+    if (cli->run.write_scene) {
+        enum status status = scene_save(scene, &run_vocabulary, cli->run.write_scene, e);
+        if (status)
+            return status;
+    }
+    if (cli->plan)
+        return run_plan(scene, &cli->run, stdout, e);
+    if (cli->check && !cli->quiet)
+        printf("%s: ok\n", cli->scene);
+    return STATUS_OK;
+}
+
+static enum status film_main(int argc, char **argv, struct error *e)
+{
+    struct cli cli;
+    struct scene *scene = NULL;
+    enum status status = cli_parse(&cli, argc, argv);
+    if (status)
+        *e = cli.error;
+    if (!status)
+        status = check_scene_name(&cli, e);
+    if (!status)
+        status = check_outputs(&cli, e);
+    if (!status)
+        status = scene_load(&scene, cli.scene, &cli.set, &run_vocabulary, e);
+    if (!status)
+        status = film(&cli, scene, e);
+    scene_free(scene);
+    cli_free(&cli);
+    return status;
+}
+
+int cli_main(int argc, char **argv)
+{
+    struct error e = {.status = STATUS_OK};
+    argp_err_exit_status = STATUS_USAGE;
+    argp_program_version_hook = print_version;
+    const struct variant *row = argc > 1 ? variant_find(&tool_table, argv[1]) : NULL;
+    if (row)
+        return ((const struct tool *)row)->run(argc - 1, argv + 1);
+    enum status status = film_main(argc, argv, &e);
+    if (status && status != STATUS_INTERRUPTED)
+        log_error("%s", e.text);
+    return status;
+}

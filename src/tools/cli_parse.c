@@ -1,0 +1,172 @@
+/* Reads the options of a film. */
+#include "base/log.h"
+#include "tools/cli.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct cli_option *option_by_key(int key)
+{
+    for (size_t i = 0; i < cli_option_count; i++)
+        if (cli_options[i].key == key)
+            return &cli_options[i];
+    return NULL;
+}
+
+/* A string that lives as long as cli; NULL when memory is short. */
+static char *made_string(struct cli *cli, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+static char *made_string(struct cli *cli, const char *format, ...)
+{
+    va_list args;
+    char *text = NULL;
+    va_start(args, format);
+    if (vasprintf(&text, format, args) < 0)
+        text = NULL;
+    va_end(args);
+    if (text)
+        cli->made[cli->made_count++] = text;
+    else
+        error_set(&cli->error, STATUS_RUN, "memory is short");
+    return text;
+}
+
+/* --fps 60 is movie.fps=60; messages speak of --fps. */
+static void add_override(struct cli *cli, const struct cli_option *option, const char *value)
+{
+    const char *label = made_string(cli, "--%s %s", option->name, value);
+    const char *item = option->path ? made_string(cli, "%s=%s", option->path, value) : value;
+    if (!label || !item)
+        return;
+    cli->labels[cli->set.count] = label;
+    cli->items[cli->set.count++] = item;
+}
+
+static void add_size(struct cli *cli, const struct cli_option *option, const char *value)
+{
+    int width, height, used = 0;
+    if (sscanf(value, "%6d%*1[xX]%6d%n", &width, &height, &used) != 2 || value[used]) {
+        error_set(&cli->error, STATUS_USAGE, "--size %s: write WIDTHxHEIGHT, for example 1280x720",
+                  value);
+        return;
+    }
+    char *label = made_string(cli, "--size %s", value);
+    char *item = made_string(cli, "%s=[%d, %d]", option->path, width, height);
+    if (!label || !item)
+        return;
+    cli->labels[cli->set.count] = label;
+    cli->items[cli->set.count++] = item;
+}
+
+static void read_time(struct cli *cli, const char *value)
+{
+    char *end;
+    cli->run.at = strtod(value, &end);
+    if (end == value || *end || !isfinite(cli->run.at) || cli->run.at < 0)
+        error_set(&cli->error, STATUS_USAGE, "--at %s: give a time in seconds, 0 or more", value);
+}
+
+static void read_threads(struct cli *cli, const char *value)
+{
+    char *end;
+    long threads = strtol(value, &end, 10);
+    if (end == value || *end || threads < 0 || threads > 4096)
+        error_set(&cli->error, STATUS_USAGE, "--threads %s: give a whole number from 0 to 4096",
+                  value);
+    cli->run.threads = (int)threads;
+}
+
+static void read_variant(struct cli *cli, const struct cli_option *option, const char *value,
+                         const char **out)
+{
+    char what[40];
+    snprintf(what, sizeof what, "--%s", option->name);
+    *out = value;
+    cli_check_variant(what, option->table, value, &cli->error);
+}
+
+static void read_argument(struct cli *cli, const char *value)
+{
+    if (cli->scene)
+        error_set(&cli->error, STATUS_USAGE, "one scene at a time: %s and %s%s", cli->scene, value,
+                  cli->run.output_count ? "" : "; outputs go after -o");
+    else
+        cli->scene = value;
+}
+
+static error_t parse_option(int key, char *value, struct argp_state *state)
+{
+    struct cli *cli = state->input;
+    const struct cli_option *option = option_by_key(key);
+    switch (key) {
+    case 'o': cli->outputs[cli->run.output_count++] = value; break;
+    case 'q': cli->quiet = true; log_set_level(LOG_ERROR); break;
+    case 'v': log_set_level(LOG_DETAIL); break;
+    case CLI_AT: read_time(cli, value); break;
+    case CLI_SIZE: add_size(cli, option, value); break;
+    case CLI_SET:
+    case CLI_FPS:
+    case CLI_END:
+    case CLI_SOLVER:
+    case CLI_COLOR: add_override(cli, option, value); break;
+    case CLI_THREADS: read_threads(cli, value); break;
+    case CLI_BACKEND: read_variant(cli, option, value, &cli->run.backend); break;
+    case CLI_GL: read_variant(cli, option, value, &cli->run.context); break;
+    case CLI_ISA: read_variant(cli, option, value, &cli->run.isa); break;
+    case CLI_CHECK: cli->check = true; break;
+    case CLI_PLAN: cli->plan = true; break;
+    case CLI_REPORT: cli->run.report = value; break;
+    case CLI_WRITE_SCENE: cli->run.write_scene = value; break;
+    case ARGP_KEY_ARG: read_argument(cli, value); break;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+    return cli->error.status ? EINVAL : 0;
+}
+
+static char *filter_help(int key, const char *text, void *input)
+{
+    (void)input;
+    char *made = cli_help(key, text);
+    return made ? made : (char *)text;
+}
+
+enum status cli_parse(struct cli *cli, int argc, char **argv)
+{
+    struct argp_option options[64];
+    const struct argp argp = {options, parse_option, "SCENE.json -o OUT\nCOMMAND ...",
+                              "Renders movies of SPH fluid simulations without a screen.\v ", NULL,
+                              filter_help, NULL};
+    size_t room = (size_t)argc + 1;
+    *cli = (struct cli){.run = {.at = NAN, .backend = "auto", .context = "auto", .isa = "auto"},
+                        .outputs = calloc(room, sizeof(char *)),
+                        .items = calloc(room, sizeof(char *)),
+                        .labels = calloc(room, sizeof(char *)),
+                        .made = calloc(2 * room, sizeof(char *))};
+    if (!cli->outputs || !cli->items || !cli->labels || !cli->made)
+        return error_set(&cli->error, STATUS_RUN, "memory is short");
+    _Static_assert(sizeof options / sizeof *options > 40, "room for all options and groups");
+    if (cli_check_names(argc, argv, &cli->error))
+        return cli->error.status;
+    cli_argp_options(options);
+    error_t failed = argp_parse(&argp, argc, argv, 0, NULL, cli);
+    cli->run.outputs = cli->outputs;
+    cli->set.items = cli->items;
+    cli->set.labels = cli->labels;
+    if (failed && !cli->error.status)
+        return error_set(&cli->error, STATUS_RUN, "options: %s", strerror(failed));
+    return cli->error.status;
+}
+
+void cli_free(struct cli *cli)
+{
+    for (size_t i = 0; i < cli->made_count; i++)
+        free(cli->made[i]);
+    free(cli->made);
+    free(cli->outputs);
+    free(cli->items);
+    free(cli->labels);
+}

@@ -1,0 +1,126 @@
+/* sph-render list: prints the variant tables and the scene keys. */
+#include "base/log.h"
+#include "base/suggest.h"
+#include "run/run.h"
+#include "tools/tools.h"
+
+#include <argp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+struct list {
+    const char *what; /* NULL: everything */
+    bool schema;
+};
+
+static error_t parse_option(int key, char *value, struct argp_state *state)
+{
+    struct list *list = state->input;
+    if (key == 'j') {
+        list->schema = true;
+        return 0;
+    }
+    if (key != ARGP_KEY_ARG)
+        return ARGP_ERR_UNKNOWN;
+    if (list->what)
+        argp_error(state, "one table at a time: %s and %s", list->what, value);
+    list->what = value;
+    return 0;
+}
+
+static void print_table(const struct variant_table *table)
+{
+    int width = 0;
+    for (size_t i = 0; i < table->count; i++)
+        if ((int)strlen(table->rows[i]->name) > width)
+            width = (int)strlen(table->rows[i]->name);
+    printf("%s: %s\n", table->name, table->doc);
+    for (size_t i = 0; i < table->count; i++) {
+        const struct variant *row = table->rows[i];
+        printf("  %-*s  %s", width, row->name, row->doc);
+        if (row->missing)
+            printf(" (not in this build: %s)", row->missing);
+        putchar('\n');
+    }
+}
+
+static void print_all(void)
+{
+    for (size_t t = 0; t < run_vocabulary.count; t++) {
+        print_table(run_vocabulary.tables[t]);
+        putchar('\n');
+    }
+    print_table(&tool_table);
+    printf("\nkeys: what a scene file may say; NAME[] is an array, and --set NAME.0.KEY its first element\n");
+    scene_write_keys(&run_vocabulary, stdout);
+}
+
+static int unknown_table(const char *what)
+{
+    struct suggest near;
+    suggest_start(&near, what);
+    suggest_offer(&near, "keys");
+    suggest_offer(&near, tool_table.name);
+    for (size_t t = 0; t < run_vocabulary.count; t++)
+        suggest_offer(&near, run_vocabulary.tables[t]->name);
+    const char *best = suggest_best(&near);
+    log_error("list: there is no table \"%s\"%s%s; `sph-render list' shows all", what,
+              best ? "; did you mean " : "", best ? best : "");
+    return STATUS_USAGE;
+}
+
+static int print_one(const char *what)
+{
+    if (strcmp(what, "keys") == 0) {
+        scene_write_keys(&run_vocabulary, stdout);
+        return STATUS_OK;
+    }
+    if (strcmp(what, tool_table.name) == 0) {
+        print_table(&tool_table);
+        return STATUS_OK;
+    }
+    for (size_t t = 0; t < run_vocabulary.count; t++) {
+        if (strcmp(run_vocabulary.tables[t]->name, what) == 0) {
+            print_table(run_vocabulary.tables[t]);
+            return STATUS_OK;
+        }
+    }
+    return unknown_table(what);
+}
+
+static int list_main(int argc, char **argv)
+{
+    static const struct argp_option options[] = {
+        {"json-schema", 'j', NULL, 0, "Print the JSON Schema of scene files (with keys)", 0}, {0}};
+    static const struct argp argp = {
+        options, parse_option, "[TABLE]",
+        "Prints the tables of solvers, kernels, encoders and so on, or one of them; `keys' is the "
+        "table of scene keys.", NULL, NULL, NULL};
+    static char name[] = "sph-render list";
+    struct list list = {0};
+    argv[0] = name;
+    if (argp_parse(&argp, argc, argv, 0, NULL, &list))
+        return STATUS_USAGE;
+    if (list.schema && list.what && strcmp(list.what, "keys") != 0) {
+        log_error("list: --json-schema is of keys, not of %s", list.what);
+        return STATUS_USAGE;
+    }
+    int status = STATUS_OK;
+    if (list.schema)
+        scene_write_schema(&run_vocabulary, stdout);
+    else if (list.what)
+        status = print_one(list.what);
+    else
+        print_all();
+    if (!status && fflush(stdout)) {
+        log_error("list: standard output cannot be written");
+        status = STATUS_OUTPUT;
+    }
+    return status;
+}
+
+extern const struct tool tool_list;
+const struct tool tool_list = {
+    .variant = {.name = "list", .doc = "print every table: solvers, encoders, scene keys ..."},
+    .run = list_main};

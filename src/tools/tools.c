@@ -1,0 +1,11 @@
+/* The table of sub-commands; a new one is a file and a row here. */
+#include "tools/tools.h"
+
+extern const struct tool tool_list;
+
+static const struct variant *const rows[] = {
+    &tool_list.variant,
+};
+
+const struct variant_table tool_table = {
+    "commands", "sub-commands; without one, a film is made", rows, sizeof rows / sizeof *rows};
