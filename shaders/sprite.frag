@@ -30,7 +30,7 @@ void main()
     float ambient = 0.5 + 0.5 * dot(normal, sky);
     float diffuse = max(dot(normal, key_light), 0.0);
     float facing = max(-dot(normal, ray), 0.0);
-    float light = (0.30 + 0.20 * ambient + 0.58 * diffuse) * (0.55 + 0.45 * facing);
+    float light = (0.44 + 0.20 * ambient + 0.52 * diffuse) * (0.62 + 0.38 * facing);
     float shine = pow(max(dot(reflect(ray, normal), key_light), 0.0), 24.0);
     pixel = vec4(min(color * min(light, 1.0) + 0.10 * shine, vec3(1.0)), 1.0);
 }

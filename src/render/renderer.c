@@ -23,7 +23,7 @@ struct renderer {
     GLuint framebuffer, color, depth;
     int width, height; /* of a frame, pixels */
     int samples;       /* drawn pixels per frame pixel, in x and in y */
-    uint8_t *drawn;    /* read back, bottom row first */
+    uint32_t *drawn;   /* RGBA bytes as read back, bottom row first */
     char name[300];
 };
 
@@ -237,23 +237,28 @@ static enum status gl_draw(struct renderer *r, const struct render_frame *frame,
     return gl_check(gl, "while drawing a frame", e);
 }
 
+/* The rounded mean of four RGBA pixels, two bytes at a time in the halves of a word. */
+static uint32_t mean4(const uint32_t *upper, const uint32_t *lower)
+{
+    const uint32_t half = 0x00ff00ff, round = 0x00020002;
+    uint32_t a = (upper[0] & half) + (upper[1] & half) + (lower[0] & half) + (lower[1] & half);
+    uint32_t b = (upper[0] >> 8 & half) + (upper[1] >> 8 & half) + (lower[0] >> 8 & half) +
+                 (lower[1] >> 8 & half);
+    return ((a + round) >> 2 & half) | ((b + round) >> 2 & half) << 8;
+}
+
 /* Rows from the top, and the mean of 2 x 2 samples where there are. */
 static void resolve(const struct renderer *r, struct image *image)
 {
-    size_t row = (size_t)r->width * (size_t)r->samples * 4;
-    for (int y = 0; y < r->height; y++) {
-        uint8_t *out = image->rgba + (size_t)y * (size_t)r->width * 4;
-        const uint8_t *upper = r->drawn + (size_t)(r->height - 1 - y) * (size_t)r->samples * row;
-        const uint8_t *lower = upper + row;
-        if (r->samples == 1) {
-            memcpy(out, upper, row);
-            continue;
-        }
-        for (int x = 0; x < r->width; x++)
-            for (int k = 0; k < 4; k++) {
-                const uint8_t *u = upper + x * 8 + k, *l = lower + x * 8 + k;
-                out[x * 4 + k] = (uint8_t)((u[0] + u[4] + l[0] + l[4] + 2) >> 2);
-            }
+    size_t row = (size_t)r->width * (size_t)r->samples; /* pixels */
+    uint32_t *out = (uint32_t *)(void *)image->rgba;
+    for (int y = 0; y < r->height; y++, out += r->width) {
+        const uint32_t *upper = r->drawn + (size_t)(r->height - 1 - y) * (size_t)r->samples * row;
+        if (r->samples == 1)
+            memcpy(out, upper, row * sizeof *upper);
+        else
+            for (int x = 0; x < r->width; x++)
+                out[x] = mean4(upper + 2 * x, upper + row + 2 * x);
     }
 }
 
