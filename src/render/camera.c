@@ -6,6 +6,7 @@
 #include <string.h>
 
 static const double margin = 1.06; /* free border around an automatically framed domain */
+static const double legend_width = 0.17; /* of the colour bar with its text, picture heights */
 
 static double dot(const double a[3], const double b[3])
 {
@@ -99,14 +100,23 @@ void camera_view(const struct camera *camera, const double point[3], double view
     view[2] = dot(d, camera->forward);
 }
 
+/* The part of the half width to the right of the middle that is free of the colour bar. */
+static double free_right(const struct scene *scene)
+{
+    double bar = 2 * legend_width * scene->movie.size[1] / scene->movie.size[0];
+    bool legend = scene->color.legend && strcmp(scene->color.by, "solid") != 0;
+    return legend ? fmax(0.5, 1 - bar) : 1;
+}
+
 /* The least distance from `center` along -forward at which all corners are seen, and the sideways
- * shift of the eye that centres them. A corner p is in the picture when |p.x - e.x| <= tan_x *
- * (p.z + d): four linear conditions on d and e, solved exactly. */
+ * shift of the eye that centres them. A corner p is in the picture when p.x - e.x <= right *
+ * (p.z + d) and so on for four sides: linear conditions on d and e, solved exactly. */
 static double fit(const struct camera *camera, const struct scene *scene, double radius,
                   const double center[3], double shift[2])
 {
     double most[4] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY}, nearest = INFINITY, distance;
-    double tx = camera->tan_x / margin, ty = camera->tan_y / margin;
+    double left = camera->tan_x / margin, right = left * free_right(scene);
+    double side = camera->tan_y / margin;
     for (int i = 0; i < 8; i++) {
         double p[3], x, y, z;
         camera_corner(scene, i, radius, p);
@@ -115,16 +125,17 @@ static double fit(const struct camera *camera, const struct scene *scene, double
         x = dot(p, camera->right);
         y = dot(p, camera->up);
         z = dot(p, camera->forward);
-        most[0] = fmax(most[0], x - tx * z);
-        most[1] = fmax(most[1], -x - tx * z);
-        most[2] = fmax(most[2], y - ty * z);
-        most[3] = fmax(most[3], -y - ty * z);
+        most[0] = fmax(most[0], x - right * z);
+        most[1] = fmax(most[1], -x - left * z);
+        most[2] = fmax(most[2], y - side * z);
+        most[3] = fmax(most[3], -y - side * z);
         nearest = fmin(nearest, z);
     }
-    shift[0] = (most[0] - most[1]) / 2;
+    distance = fmax((most[0] + most[1]) / (left + right), (most[2] + most[3]) / (2 * side));
+    distance = fmax(distance, -nearest * 1.01 + 1e-9);
+    shift[0] = (most[0] - most[1] + (left - right) * distance) / 2;
     shift[1] = (most[2] - most[3]) / 2;
-    distance = fmax((most[0] + most[1]) / (2 * tx), (most[2] + most[3]) / (2 * ty));
-    return fmax(distance, -nearest * 1.01 + 1e-9);
+    return distance;
 }
 
 /* Places the eye so that the domain fills the picture; on an orbit, so that it does at any angle. */
@@ -140,8 +151,9 @@ static void frame_domain(struct camera *camera, const struct scene *scene, doubl
         rotate(camera->forward, up, i * 6.283185307179586 / 64);
         axes_make(camera, up);
         double d = fit(camera, scene, radius, center, shift);
-        /* Without the shift each axis needs the larger of its two sides. */
-        d += fabs(shift[0]) / camera->tan_x + fabs(shift[1]) / camera->tan_y;
+        /* The orbit keeps the middle in the middle: without the shift, stand back instead. */
+        d += margin * fmax(fabs(shift[0]) / (camera->tan_x * free_right(scene)),
+                           fabs(shift[1]) / camera->tan_y);
         distance = fmax(distance, d);
     }
     memcpy(camera->forward, start, sizeof start);
