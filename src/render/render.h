@@ -11,6 +11,7 @@
 
 extern const struct variant_table render_contexts; /* "contexts": egl, osmesa */
 extern const struct variant_table render_maps;     /* "maps": viridis, ... */
+extern const struct variant_table render_overlays; /* "overlays": text; missing without cairo */
 
 /* What stays the same for a whole film. */
 struct render_setup {
@@ -40,8 +41,11 @@ enum status renderer_open(struct renderer **renderer, const struct render_setup 
                           struct error *e);
 /* Name of context and GL renderer, e.g. "egl (llvmpipe ...)". */
 const char *renderer_name(const struct renderer *renderer);
+
+/* Draws one frame. `image` may be zeroed or of any size: it is made anew unless it has movie.size.
+ * STATUS_BACKEND when GL fails, STATUS_RUN when memory is short. */
 enum status renderer_draw(struct renderer *renderer, const struct render_frame *frame,
                           struct image *image, struct error *e);
-void renderer_close(struct renderer *renderer);
+void renderer_close(struct renderer *renderer); /* accepts NULL */
 
 #endif

@@ -1,0 +1,201 @@
+/* Where the picture is taken from: camera keys of the scene, orbit, and automatic framing. */
+#include "render/camera.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+static const double margin = 1.06; /* free border around an automatically framed domain */
+static const double legend_width = 0.17; /* of the colour bar with its text, picture heights */
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static bool finite3(const double a[3])
+{
+    return isfinite(a[0]) && isfinite(a[1]) && isfinite(a[2]);
+}
+
+/* Scales to length 1; false when there is no direction. */
+static bool normalize(double a[3])
+{
+    double length = sqrt(dot(a, a));
+    if (!(length > 0) || !isfinite(length))
+        return false;
+    for (int k = 0; k < 3; k++)
+        a[k] /= length;
+    return true;
+}
+
+/* Turns `a` about the unit vector `axis` (Rodrigues). */
+static void rotate(double a[3], const double axis[3], double angle)
+{
+    double side[3], along = dot(a, axis), c = cos(angle), s = sin(angle);
+    cross(axis, a, side);
+    for (int k = 0; k < 3; k++)
+        a[k] = a[k] * c + side[k] * s + axis[k] * along * (1 - c);
+}
+
+/* The unit up vector of the scene, or y. */
+static void up_axis(const struct scene *scene, double up[3])
+{
+    memcpy(up, scene->camera.up, 3 * sizeof up[0]);
+    if (!finite3(up) || !normalize(up)) {
+        up[0] = up[2] = 0;
+        up[1] = 1;
+    }
+}
+
+/* Fills right and up from forward and the wished up vector. */
+static void axes_make(struct camera *camera, const double up[3])
+{
+    cross(camera->forward, up, camera->right);
+    if (dot(camera->right, camera->right) < 1e-12) { /* looking along up: any right will do */
+        const double *f = camera->forward;
+        double other[3] = {0, 0, 0};
+        other[fabs(f[0]) < fabs(f[2]) ? 0 : 2] = fabs(f[0]) < fabs(f[2]) ? 1 : -1;
+        cross(camera->forward, other, camera->right);
+    }
+    normalize(camera->right);
+    cross(camera->right, camera->forward, camera->up);
+}
+
+/* A direction to look along that shows three faces of a box standing on the ground. */
+static void default_forward(const double up[3], double forward[3])
+{
+    double back[3] = {0, 0, 0}, side[3];
+    if (fabs(up[2]) > 0.9) /* z up: the front is at -y */
+        back[1] = -1;
+    else
+        back[2] = 1;
+    cross(up, back, side);
+    normalize(side);
+    cross(side, up, back);
+    for (int k = 0; k < 3; k++)
+        forward[k] = -(0.80 * back[k] + 0.48 * side[k] + 0.42 * up[k]);
+    normalize(forward);
+}
+
+void camera_corner(const struct scene *scene, int i, double grow, double corner[3])
+{
+    for (int k = 0; k < 3; k++)
+        corner[k] = i >> k & 1 ? scene->domain.max[k] - scene->domain.min[k] + grow : -grow;
+}
+
+void camera_view(const struct camera *camera, const double point[3], double view[3])
+{
+    double d[3] = {point[0] - camera->eye[0], point[1] - camera->eye[1],
+                   point[2] - camera->eye[2]};
+    view[0] = dot(d, camera->right);
+    view[1] = dot(d, camera->up);
+    view[2] = dot(d, camera->forward);
+}
+
+/* The part of the half width to the right of the middle that is free of the colour bar. */
+static double free_right(const struct scene *scene)
+{
+    double bar = 2 * legend_width * scene->movie.size[1] / scene->movie.size[0];
+    bool legend = scene->color.legend && strcmp(scene->color.by, "solid") != 0;
+    return legend ? fmax(0.5, 1 - bar) : 1;
+}
+
+/* The least distance from `center` along -forward at which all corners are seen, and the sideways
+ * shift of the eye that centres them. A corner p is in the picture when p.x - e.x <= right *
+ * (p.z + d) and so on for four sides: linear conditions on d and e, solved exactly. */
+static double fit(const struct camera *camera, const struct scene *scene, double radius,
+                  const double center[3], double shift[2])
+{
+    double most[4] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY}, nearest = INFINITY, distance;
+    double left = camera->tan_x / margin, right = left * free_right(scene);
+    double side = camera->tan_y / margin;
+    for (int i = 0; i < 8; i++) {
+        double p[3], x, y, z;
+        camera_corner(scene, i, radius, p);
+        for (int k = 0; k < 3; k++)
+            p[k] -= center[k];
+        x = dot(p, camera->right);
+        y = dot(p, camera->up);
+        z = dot(p, camera->forward);
+        most[0] = fmax(most[0], x - right * z);
+        most[1] = fmax(most[1], -x - left * z);
+        most[2] = fmax(most[2], y - side * z);
+        most[3] = fmax(most[3], -y - side * z);
+        nearest = fmin(nearest, z);
+    }
+    distance = fmax((most[0] + most[1]) / (left + right), (most[2] + most[3]) / (2 * side));
+    distance = fmax(distance, -nearest * 1.01 + 1e-9);
+    shift[0] = (most[0] - most[1] + (left - right) * distance) / 2;
+    shift[1] = (most[2] - most[3]) / 2;
+    return distance;
+}
+
+/* Places the eye so that the domain fills the picture; on an orbit, so that it does at any angle. */
+static void frame_domain(struct camera *camera, const struct scene *scene, double radius,
+                         const double up[3], bool orbit, double angle)
+{
+    double center[3], shift[2] = {0, 0}, start[3], distance = 0;
+    for (int k = 0; k < 3; k++)
+        center[k] = (scene->domain.max[k] - scene->domain.min[k]) / 2;
+    default_forward(up, start);
+    for (int i = 0; orbit && i < 64; i++) {
+        memcpy(camera->forward, start, sizeof start);
+        rotate(camera->forward, up, i * 6.283185307179586 / 64);
+        axes_make(camera, up);
+        double d = fit(camera, scene, radius, center, shift);
+        /* The orbit keeps the middle in the middle: without the shift, stand back instead. */
+        d += margin * fmax(fabs(shift[0]) / (camera->tan_x * free_right(scene)),
+                           fabs(shift[1]) / camera->tan_y);
+        distance = fmax(distance, d);
+    }
+    memcpy(camera->forward, start, sizeof start);
+    rotate(camera->forward, up, angle);
+    axes_make(camera, up);
+    if (orbit)
+        shift[0] = shift[1] = 0;
+    else
+        distance = fit(camera, scene, radius, center, shift);
+    for (int k = 0; k < 3; k++)
+        camera->eye[k] = center[k] - distance * camera->forward[k] +
+                         shift[0] * camera->right[k] + shift[1] * camera->up[k];
+}
+
+void camera_make(struct camera *camera, const struct scene *scene, double radius, double time)
+{
+    double up[3], target[3], fov = scene->camera.fov, period = scene->camera.orbit_period;
+    bool orbit = isfinite(period) && period != 0 && isfinite(time);
+    double angle = orbit ? fmod(time / period, 1) * 6.283185307179586 : 0;
+    camera->width = scene->movie.size[0];
+    camera->height = scene->movie.size[1];
+    if (!(fov >= 1 && fov <= 170))
+        fov = 40;
+    camera->tan_y = tan(fov * 3.141592653589793 / 360);
+    camera->tan_x = camera->tan_y * camera->width / camera->height;
+    up_axis(scene, up);
+    if (!finite3(scene->camera.eye)) {
+        frame_domain(camera, scene, radius, up, orbit, angle);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        target[k] = finite3(scene->camera.target)
+                        ? scene->camera.target[k] - scene->domain.min[k]
+                        : (scene->domain.max[k] - scene->domain.min[k]) / 2;
+        camera->eye[k] = scene->camera.eye[k] - scene->domain.min[k] - target[k];
+    }
+    rotate(camera->eye, up, angle);
+    for (int k = 0; k < 3; k++)
+        camera->forward[k] = -camera->eye[k];
+    if (!normalize(camera->forward))
+        default_forward(up, camera->forward);
+    for (int k = 0; k < 3; k++)
+        camera->eye[k] += target[k];
+    axes_make(camera, up);
+}

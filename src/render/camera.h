@@ -1,0 +1,27 @@
+/* Where the picture is taken from: camera keys of the scene, orbit, and automatic framing. */
+#ifndef RENDER_CAMERA_H
+#define RENDER_CAMERA_H
+
+#include "scene/scene.h"
+
+/* All lengths in m, positions relative to domain.min; computed in double because a domain may lie
+ * far from the origin. */
+struct camera {
+    double eye[3];
+    double right[3], up[3], forward[3]; /* orthonormal */
+    double tan_x, tan_y;                /* half the picture's width and height at distance 1 */
+    int width, height;                  /* pixels */
+};
+
+/* The camera at `time` (s). A NAN eye frames the whole domain, seen from the front, a little from
+ * the right and above; spheres of `radius` (m) on its faces fit too. Whatever is not finite or
+ * degenerate in the scene is replaced by something that shows the domain. */
+void camera_make(struct camera *camera, const struct scene *scene, double radius, double time);
+
+/* Into camera axes: x right, y up, z distance in front of the eye. */
+void camera_view(const struct camera *camera, const double point[3], double view[3]);
+
+/* Corner `i` (bits: x y z at max) of the domain, relative to domain.min, grown by `margin` m. */
+void camera_corner(const struct scene *scene, int i, double margin, double corner[3]);
+
+#endif

@@ -1,0 +1,22 @@
+/* What a row of render_contexts offers: an OpenGL 3.3 core context without a window. */
+#ifndef RENDER_CONTEXT_H
+#define RENDER_CONTEXT_H
+
+#include "base/error.h"
+#include "base/variant.h"
+
+struct gl_context_row {
+    struct variant variant;
+    /* Makes a context, not yet current; STATUS_BACKEND says what was tried. */
+    enum status (*open)(void **state, struct error *e);
+    /* Makes it current on this thread, and releases it again: around every use, so that contexts
+     * of different libraries can take turns on one thread. */
+    enum status (*bind)(void *state, struct error *e);
+    void (*unbind)(void *state);
+    void *(*getproc)(void *state, const char *name);
+    void (*close)(void *state); /* accepts NULL; the context must not be current */
+};
+
+extern const struct gl_context_row context_egl, context_osmesa;
+
+#endif
