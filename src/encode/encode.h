@@ -30,6 +30,8 @@ struct encoder_row {
     struct variant variant;
     const char *const *extensions; /* ".mp4", NULL-terminated; or the whole word "null", "hash" */
     bool wants_pixels;             /* false: the run may skip drawing altogether */
+    /* What only this encoder can say about a target before the run; writes nothing. May be NULL. */
+    enum status (*check)(const struct encode_target *, struct error *);
     enum status (*open)(struct encoder **, const struct encode_target *, struct error *);
     /* May return before the frame is on disk; the image may be changed after it returns. */
     enum status (*frame)(struct encoder *, const struct encode_frame *, struct error *);

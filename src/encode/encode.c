@@ -1,0 +1,115 @@
+/* The table of encoders, and what can be said about an output before a run. */
+#include "encode/encode.h"
+
+#include <errno.h>
+#include <libgen.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+extern const struct encoder_row encoder_mp4, encoder_png, encoder_hash, encoder_null;
+
+static const struct encoder_row *const encoders[] = {
+    &encoder_mp4,
+    &encoder_png,
+    &encoder_hash,
+    &encoder_null,
+};
+enum { ENCODER_COUNT = sizeof encoders / sizeof encoders[0] };
+
+static const struct variant *const variants[ENCODER_COUNT] = {
+    &encoder_mp4.variant,
+    &encoder_png.variant,
+    &encoder_hash.variant,
+    &encoder_null.variant,
+};
+
+const struct variant_table encode_table = {
+    .name = "encoders",
+    .doc = "what -o writes, chosen by the extension of the output",
+    .rows = variants,
+    .count = ENCODER_COUNT,
+};
+
+/* ".mp4" fits any NAME.mp4; "null" fits only itself. */
+static bool extension_fits(const char *extension, const char *path)
+{
+    if (extension[0] != '.')
+        return strcmp(path, extension) == 0;
+    const char *slash = strrchr(path, '/');
+    const char *name = slash ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    return dot && dot != name && strcasecmp(dot, extension) == 0;
+}
+
+static const char *const *known_extension(const struct encoder_row *row, const char *path)
+{
+    for (const char *const *extension = row->extensions; *extension; extension++)
+        if (extension_fits(*extension, path))
+            return extension;
+    return NULL;
+}
+
+const struct encoder_row *encode_find(const char *path, struct error *e)
+{
+    char known[400] = "";
+    size_t used = 0;
+    for (size_t i = 0; i < ENCODER_COUNT; i++) {
+        if (known_extension(encoders[i], path))
+            return encoders[i];
+        for (const char *const *x = encoders[i]->extensions; *x; x++)
+            if (used < sizeof known)
+                used += (size_t)snprintf(known + used, sizeof known - used, "%s%s%s",
+                                         used ? ", " : "", **x == '.' ? "NAME" : "", *x);
+    }
+    error_set(e, STATUS_USAGE, "output \"%s\": no encoder writes such a file; known are %s", path,
+              known);
+    return NULL;
+}
+
+static enum status check_directory(const char *path, struct error *e)
+{
+    char copy[PATH_MAX];
+    struct stat info;
+    if (strlen(path) >= sizeof copy - 16)
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": the name is too long", path);
+    strcpy(copy, path);
+    const char *directory = dirname(copy);
+    if (stat(directory, &info))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": directory \"%s\": %s%s", path, directory,
+                         strerror(errno), errno == ENOENT ? "; create it first" : "");
+    if (!S_ISDIR(info.st_mode))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": \"%s\" is no directory", path,
+                         directory);
+    if (access(directory, W_OK | X_OK))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": cannot write to directory \"%s\": %s",
+                         path, directory, strerror(errno));
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": exists and is no regular file", path);
+    return STATUS_OK;
+}
+
+enum status encode_check(const struct encode_target *target, struct error *e)
+{
+    const struct encoder_row *row = encode_find(target->path, e);
+    if (!row)
+        return e->status;
+    if (row->variant.missing)
+        return error_set(e, STATUS_BACKEND, "output \"%s\": encoder %s is not in this build: %s",
+                         target->path, row->variant.name, row->variant.missing);
+    if (target->width < 1 || target->height < 1)
+        return error_set(e, STATUS_USAGE, "output \"%s\": a picture of %d x %d pixels is empty",
+                         target->path, target->width, target->height);
+    if (!(target->fps > 0) || !isfinite(target->fps))
+        return error_set(e, STATUS_USAGE, "output \"%s\": %g frames per second; it must be positive",
+                         target->path, target->fps);
+    if (row->check && row->check(target, e))
+        return e->status;
+    if (**known_extension(row, target->path) == '.')
+        return check_directory(target->path, e);
+    return STATUS_OK;
+}

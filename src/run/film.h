@@ -1,0 +1,81 @@
+/* The film pipeline: while the solver computes, one thread draws and another feeds the encoders.
+ *
+ *     solver --snapshots--> drawing thread --images--> encoding thread --> every output
+ *
+ * Both streams are bounded by pools (FILM_SNAPSHOTS, FILM_IMAGES); a slow consumer makes the
+ * solver wait in film_snapshot_create. When no output wants pixels there are no threads, no
+ * renderer and no images, and the outputs get their frames in film_frame itself. */
+#ifndef RUN_FILM_H
+#define RUN_FILM_H
+
+#include "base/error.h"
+#include "render/render.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    FILM_SNAPSHOTS = 3, /* one filled, one waiting, one drawn */
+    FILM_IMAGES = 3     /* one drawn, one waiting, one encoded */
+};
+
+struct film_setup {
+    const struct scene *scene;         /* movie.size, movie.fps, title */
+    const struct render_setup *render; /* may be NULL when no output wants pixels */
+    const char *const *outputs;        /* as given to -o */
+    size_t output_count;
+    bool single;                       /* --at: one frame only */
+};
+
+/* The particles of one frame. The film owns the arrays; they are to be filled, not replaced. */
+struct film_snapshot {
+    long index;                /* frame number, from 0 */
+    double time;               /* s */
+    size_t count;              /* particles */
+    float *position;           /* count * 3, m, relative to domain.min; NULL without pixels */
+    float *value;              /* count; NULL when render->solid or without pixels */
+    uint8_t *color;            /* count * 4 RGBA when render->solid, else NULL */
+    uint64_t state_hash;
+    size_t capacity;           /* particles that the arrays have room for */
+};
+
+/* Wall-clock seconds. */
+struct film_times {
+    double wait;   /* the solver waited for a free snapshot */
+    double draw;   /* in the renderer */
+    double encode; /* in the encoders, also at the end of the film */
+};
+
+struct film;
+
+/* True when some output wants pixels, so that a render_setup is needed; an output that no encoder
+ * writes counts as none. */
+bool film_wants_pixels(const char *const *outputs, size_t count);
+
+/* Checks every output, then opens every encoder and, in the drawing thread, the renderer. The
+ * scene and the render_setup must outlive the film; the setup itself and the outputs need not.
+ * STATUS_USAGE, STATUS_OUTPUT, STATUS_BACKEND, STATUS_RUN; then nothing is left open or written. */
+enum status film_open(struct film **film, const struct film_setup *setup, struct error *e);
+
+/* "context (GL renderer)" as of renderer_name, or NULL when nothing is drawn. */
+const char *film_renderer(const struct film *film);
+
+/* A snapshot with room for `count` particles, index, time and state_hash unset; waits until one is
+ * free. An error of drawing or encoding surfaces here too: no further frame can succeed then. */
+enum status film_snapshot_create(struct film *film, size_t count, struct film_snapshot **snapshot,
+                                 struct error *e);
+
+/* Gives a snapshot back that will not be a frame. */
+void film_snapshot_free(struct film *film, struct film_snapshot *snapshot);
+
+/* Takes the snapshot, also on failure. Does not wait for drawing. Indices must increase. On failure
+ * (the first error of any thread) close the film with keep = false. */
+enum status film_frame(struct film *film, struct film_snapshot *snapshot, struct error *e);
+
+/* keep: draws what is queued, completes every output; else drops the queue and leaves no trace. A
+ * film that failed is never kept: returns its first error when keep is set. Always frees `film`
+ * (NULL is allowed); `times` may be NULL. */
+enum status film_close(struct film *film, bool keep, struct film_times *times, struct error *e);
+
+#endif
