@@ -34,8 +34,9 @@ const struct key scene_core_keys[] = {
     FACE("-x", 0), FACE("+x", 1), FACE("-y", 2), FACE("+y", 3), FACE("-z", 4), FACE("+z", 5),
     {"domain.restitution", KEY_REAL, 0, "0", 0, 1, "", NULL,
      "part of the normal velocity kept by a bounce off a plane", IN(domain.restitution)},
-    {"domain.friction", KEY_REAL, 0, "0", 0, 1, "", NULL,
-     "part of the tangential velocity lost by a bounce off a plane", IN(domain.friction)},
+    {"domain.no_slip", KEY_BOOL, 0, "true", 0, 0, "", NULL,
+     "closed walls drag with the fluid's viscosity (no slip); false: free slip",
+     IN(domain.no_slip)},
 
     {"particles.spacing", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL,
      "distance of neighbours at the start; halving it takes 8 times the particles",

@@ -28,4 +28,7 @@ struct pair_constants {
     float gravity[3];   /* m/s^2 */
 };
 
+/* Floating-point operations of the force pass per pair, a fused multiply-add counting two. */
+double pair_force_flops(unsigned flags);
+
 #endif

@@ -1,9 +1,11 @@
 /* The table of sub-commands; a new one is a file and a row here. */
 #include "tools/tools.h"
 
-extern const struct tool tool_list;
+extern const struct tool tool_bench, tool_compare, tool_list;
 
 static const struct variant *const rows[] = {
+    &tool_bench.variant,
+    &tool_compare.variant,
     &tool_list.variant,
 };
 
