@@ -138,7 +138,7 @@ enum status simulation_step(struct simulation *s, double target, struct error *e
     double limit = natural_step(s), left = target - s->time, most = limit;
     for (int halvings = 0; halvings <= HALVINGS_MAX; halvings++) {
         double parts = ceil(left / most * (1 - 1e-9)); /* equal steps up to the target */
-        double dt = left / fmax(parts, 1);
+        double dt = isfinite(left) ? left / fmax(parts, 1) : most;
         uint32_t bad = UINT32_MAX;
         if (keep_rows(s, dt, e) || try_step(s, dt, &bad, e))
             return e->status;

@@ -19,6 +19,8 @@ enum { FLUIDS_MAX = 16 };
 
 struct explicit_constants {
     double unit[3];           /* m per count */
+    double per_metre[3];      /* counts per m */
+    float q_per_count[3];     /* unit / h */
     uint32_t low[3], high[3]; /* closed planes, counts */
     bool closed[6];           /* a plane stops particles there */
     bool plane[6];            /* and stands for a half space of wall */
@@ -85,7 +87,7 @@ static inline float explicit_predict(const struct explicit_constants *c, int flu
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing)) /* the step is rejected anyway: no overflow below */
             return INFINITY;
-        int64_t to = (int64_t)x0->count[a] + llrint((double)move / c->unit[a]);
+        int64_t to = (int64_t)x0->count[a] + llrint((double)move * c->per_metre[a]);
         x->count[a] = (uint32_t)explicit_bounce(c, a, to, &half);
         v->velocity[a] = half + kick;
     }
@@ -119,7 +121,7 @@ static inline float plane_distance(const struct explicit_constants *c, int face,
     if (!c->plane[face])
         return 2;
     int32_t count = (int32_t)(face & 1 ? c->high[a] - x->count[a] : x->count[a] - c->low[a]);
-    float q = (float)count * (float)(c->unit[a] / c->h);
+    float q = (float)count * c->q_per_count[a];
     return q < 0 ? 0 : q;
 }
 

@@ -130,6 +130,8 @@ static void choose_scales(const struct scene *scene, const struct space *space,
         choice->pair.gravity[a] = (float)scene->gravity[a];
         choice->pair.head[a] = (float)(scene->gravity[a] * h);
         choice->each.unit[a] = space->unit[a];
+        choice->each.per_metre[a] = 1 / space->unit[a];
+        choice->each.q_per_count[a] = (float)(space->unit[a] / h);
     }
     choice->each.spacing = (float)d;
     choice->each.h = (float)h;

@@ -8,44 +8,44 @@
 enum { LANES = 8 };
 typedef __m256 real;
 
-static inline real real_set(float x)
+static inline __attribute__((always_inline)) real real_set(float x)
 {
     return _mm256_set1_ps(x);
 }
-static inline real real_load(const float *p)
+static inline __attribute__((always_inline)) real real_load(const float *p)
 {
     return _mm256_loadu_ps(p);
 }
-static inline void real_store(float *p, real x)
+static inline __attribute__((always_inline)) void real_store(float *p, real x)
 {
     _mm256_storeu_ps(p, x);
 }
-static inline real real_fma(real a, real b, real c)
+static inline __attribute__((always_inline)) real real_fma(real a, real b, real c)
 {
     return _mm256_fmadd_ps(a, b, c);
 }
-static inline real real_positive(real x)
+static inline __attribute__((always_inline)) real real_positive(real x)
 {
     return _mm256_max_ps(x, _mm256_setzero_ps());
 }
-static inline real real_rsqrt_guess(real x)
+static inline __attribute__((always_inline)) real real_rsqrt_guess(real x)
 {
     __m256i half = _mm256_srli_epi32(_mm256_castps_si256(x), 1);
     return _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_set1_epi32(0x5f375a86), half));
 }
-static inline real real_difference(real a, real b)
+static inline __attribute__((always_inline)) real real_difference(real a, real b)
 {
     return _mm256_cvtepi32_ps(
         _mm256_sub_epi32(_mm256_castps_si256(a), _mm256_castps_si256(b)));
 }
-static inline real real_below(uint32_t k, const uint32_t *count, real x, real y)
+static inline __attribute__((always_inline)) real real_below(uint32_t k, const uint32_t *count, real x, real y)
 {
     __m256i n = _mm256_loadu_si256((const __m256i *)count);
     __m256i below = _mm256_cmpgt_epi32(n, _mm256_set1_epi32((int)k));
     return _mm256_blendv_ps(y, x, _mm256_castsi256_ps(below));
 }
 
-static inline void records_load(const void *records, const uint32_t *index, real out[4])
+static inline __attribute__((always_inline)) void records_load(const void *records, const uint32_t *index, real out[4])
 {
     const float *r = records;
     __m256 row[4];
@@ -60,12 +60,12 @@ static inline void records_load(const void *records, const uint32_t *index, real
     out[2] = _mm256_shuffle_ps(b, d, 0x44);
     out[3] = _mm256_shuffle_ps(b, d, 0xee);
 }
-static inline real lookup_load(const float *values, const uint32_t *index)
+static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
     return _mm256_i32gather_ps(values, _mm256_loadu_si256((const __m256i *)index), 4);
 }
 
-static inline uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
+static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
                                     const uint32_t point[3], const float scale[3], float limit,
                                     uint32_t first, uint32_t last, uint32_t self)
 {

@@ -8,51 +8,51 @@
 enum { LANES = 16 };
 typedef __m512 real;
 
-static inline real real_set(float x)
+static inline __attribute__((always_inline)) real real_set(float x)
 {
     return _mm512_set1_ps(x);
 }
-static inline real real_load(const float *p)
+static inline __attribute__((always_inline)) real real_load(const float *p)
 {
     return _mm512_loadu_ps(p);
 }
-static inline void real_store(float *p, real x)
+static inline __attribute__((always_inline)) void real_store(float *p, real x)
 {
     _mm512_storeu_ps(p, x);
 }
-static inline real real_fma(real a, real b, real c)
+static inline __attribute__((always_inline)) real real_fma(real a, real b, real c)
 {
     return _mm512_fmadd_ps(a, b, c);
 }
-static inline real real_positive(real x)
+static inline __attribute__((always_inline)) real real_positive(real x)
 {
     return _mm512_max_ps(x, _mm512_setzero_ps());
 }
-static inline real real_rsqrt_guess(real x)
+static inline __attribute__((always_inline)) real real_rsqrt_guess(real x)
 {
     __m512i half = _mm512_srli_epi32(_mm512_castps_si512(x), 1);
     return _mm512_castsi512_ps(_mm512_sub_epi32(_mm512_set1_epi32(0x5f375a86), half));
 }
-static inline real real_difference(real a, real b)
+static inline __attribute__((always_inline)) real real_difference(real a, real b)
 {
     return _mm512_cvtepi32_ps(
         _mm512_sub_epi32(_mm512_castps_si512(a), _mm512_castps_si512(b)));
 }
-static inline real real_below(uint32_t k, const uint32_t *count, real x, real y)
+static inline __attribute__((always_inline)) real real_below(uint32_t k, const uint32_t *count, real x, real y)
 {
     __mmask16 below =
         _mm512_cmpgt_epu32_mask(_mm512_loadu_si512(count), _mm512_set1_epi32((int)k));
     return _mm512_mask_blend_ps(below, y, x);
 }
 
-static inline __m512 records_row(const float *r, const uint32_t *index)
+static inline __attribute__((always_inline)) __m512 records_row(const float *r, const uint32_t *index)
 {
     __m512 row = _mm512_castps128_ps512(_mm_load_ps(r + 4 * (size_t)index[0]));
     row = _mm512_insertf32x4(row, _mm_load_ps(r + 4 * (size_t)index[4]), 1);
     row = _mm512_insertf32x4(row, _mm_load_ps(r + 4 * (size_t)index[8]), 2);
     return _mm512_insertf32x4(row, _mm_load_ps(r + 4 * (size_t)index[12]), 3);
 }
-static inline void records_load(const void *records, const uint32_t *index, real out[4])
+static inline __attribute__((always_inline)) void records_load(const void *records, const uint32_t *index, real out[4])
 {
     const float *r = records;
     __m512 r0 = records_row(r, index), r1 = records_row(r, index + 1);
@@ -64,12 +64,12 @@ static inline void records_load(const void *records, const uint32_t *index, real
     out[2] = _mm512_shuffle_ps(b, d, 0x44);
     out[3] = _mm512_shuffle_ps(b, d, 0xee);
 }
-static inline real lookup_load(const float *values, const uint32_t *index)
+static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
     return _mm512_i32gather_ps(_mm512_loadu_si512(index), values, 4);
 }
 
-static inline uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
+static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
                                     const uint32_t point[3], const float scale[3], float limit,
                                     uint32_t first, uint32_t last, uint32_t self)
 {

@@ -9,29 +9,29 @@
 enum { LANES = 1 };
 typedef float real;
 
-static inline real real_set(float x)
+static inline __attribute__((always_inline)) real real_set(float x)
 {
     return x;
 }
-static inline real real_load(const float *p)
+static inline __attribute__((always_inline)) real real_load(const float *p)
 {
     return *p;
 }
-static inline void real_store(float *p, real x)
+static inline __attribute__((always_inline)) void real_store(float *p, real x)
 {
     *p = x;
 }
-static inline real real_fma(real a, real b, real c)
+static inline __attribute__((always_inline)) real real_fma(real a, real b, real c)
 {
     return fmaf(a, b, c);
 }
 /* max(x, 0); also +0 for -0 and NaN, like the vector instruction. */
-static inline real real_positive(real x)
+static inline __attribute__((always_inline)) real real_positive(real x)
 {
     return x > 0 ? x : 0;
 }
 /* First guess of 1/sqrt(x) from the bits of x, error 3.4 % (real_rsqrt in pair_loops.h). */
-static inline real real_rsqrt_guess(real x)
+static inline __attribute__((always_inline)) real real_rsqrt_guess(real x)
 {
     uint32_t bits;
     memcpy(&bits, &x, 4);
@@ -40,7 +40,7 @@ static inline real real_rsqrt_guess(real x)
     return x;
 }
 /* Signed difference of fixed-point coordinates, as float. */
-static inline real real_difference(real a, real b)
+static inline __attribute__((always_inline)) real real_difference(real a, real b)
 {
     uint32_t x, y;
     memcpy(&x, &a, 4);
@@ -48,23 +48,23 @@ static inline real real_difference(real a, real b)
     return (float)(int32_t)(x - y);
 }
 /* x in lanes where k < count, otherwise y. */
-static inline real real_below(uint32_t k, const uint32_t *count, real x, real y)
+static inline __attribute__((always_inline)) real real_below(uint32_t k, const uint32_t *count, real x, real y)
 {
     return k < *count ? x : y;
 }
 /* The four words of the records at LANES indices. */
-static inline void records_load(const void *records, const uint32_t *index, real out[4])
+static inline __attribute__((always_inline)) void records_load(const void *records, const uint32_t *index, real out[4])
 {
     memcpy(out, (const char *)records + 16 * (size_t)*index, 16);
 }
-static inline real lookup_load(const float *values, const uint32_t *index)
+static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
     return values[*index];
 }
 
 /* Appends to `out` the candidates first..last-1 within sqrt(limit) of `point`, leaving out `self`;
  * coordinates are by axis; returns the new length. */
-static inline uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
+static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
                                     const uint32_t point[3], const float scale[3], float limit,
                                     uint32_t first, uint32_t last, uint32_t self)
 {

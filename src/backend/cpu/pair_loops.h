@@ -12,7 +12,7 @@
 /* 1/sqrt(x) to the last bit or two, in plain arithmetic, hence the same bits on every target and
  * several times faster than square root and division: the bit guess, one cubic (Halley-like) and
  * one Newton step. Finite at x = 0. */
-static inline real real_rsqrt(real x)
+FORCE_INLINE real real_rsqrt(real x)
 {
     real y = real_rsqrt_guess(x);
     real e = (x * y) * y;
@@ -49,7 +49,7 @@ static inline uint32_t longest(const uint32_t *count)
     return most;
 }
 
-static inline struct lane_point point_load(const struct pair_work *w, size_t first, real *volume)
+FORCE_INLINE struct lane_point point_load(const struct pair_work *w, size_t first, real *volume)
 {
     real record[4];
     const float *scale = w->constants.scale;
@@ -113,6 +113,27 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     return p;
 }
 
+struct lane_neighbour {
+    struct pair_state state;
+    struct pair pair;
+};
+
+FORCE_INLINE struct lane_neighbour neighbour_load(const struct pair_work *w,
+                                                  const struct lane_particle *self,
+                                                  const uint32_t *index, const unsigned flags)
+{
+    struct lane_neighbour n;
+    real other[4], motion[4];
+    records_load(w->position, index, other);
+    records_load(w->motion, index, motion);
+    n.pair = pair_between(&self->point, other);
+    n.state = (struct pair_state){.volume = other[3], .vx = motion[0], .vy = motion[1],
+                                  .vz = motion[2], .pressure = motion[3]};
+    n.state.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
+                                                   : real_set(0);
+    return n;
+}
+
 /* dv/dt = g + gradient/rho_i sums; drho/dt = gradient (rho_i divergence + diffusion). */
 static inline void rate_store(const struct pair_work *w, size_t i, const struct pair_sums *s)
 {
@@ -139,22 +160,23 @@ FORCE_INLINE void force_blocks(const struct pair_work *w, size_t first_block, si
         const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
         uint32_t length = longest(w->row_count + i);
         struct lane_particle self = particle_load(w, i, flags);
-        for (uint32_t k = 0; k < length; k++) {
+        uint32_t k = 0;
+        for (; k + 1 < length; k += 2) {
             const uint32_t *index = row + (size_t)k * PARTICLE_BLOCK;
-            real other[4], motion[4];
-            records_load(w->position, index, other);
-            records_load(w->motion, index, motion);
-            struct pair p = pair_between(&self.point, other);
-            struct pair_state j = {.volume = other[3], .vx = motion[0], .vy = motion[1],
-                                   .vz = motion[2], .pressure = motion[3]};
-            j.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
-                                                     : real_set(0);
-            pair_force(&self.sums, &self.state, &j, &p, &self.constants, flags);
+            struct lane_neighbour a = neighbour_load(w, &self, index, flags);
+            struct lane_neighbour b = neighbour_load(w, &self, index + PARTICLE_BLOCK, flags);
+            pair_force(&self.sums, &self.state, &a.state, &a.pair, &self.constants, flags);
+            pair_force(&self.sums, &self.state, &b.state, &b.pair, &self.constants, flags);
+        }
+        if (k < length) {
+            const uint32_t *index = row + (size_t)k * PARTICLE_BLOCK;
+            struct lane_neighbour a = neighbour_load(w, &self, index, flags);
+            pair_force(&self.sums, &self.state, &a.state, &a.pair, &self.constants, flags);
         }
         if (walls) {
             row = w->wall_rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
             length = longest(w->wall_row_count + i);
-            for (uint32_t k = 0; k < length; k++) {
+            for (k = 0; k < length; k++) {
                 real other[4], far = real_set(16);
                 records_load(w->wall, row + (size_t)k * PARTICLE_BLOCK, other);
                 struct pair p = pair_between(&self.point, other);
@@ -245,19 +267,19 @@ static void loops_interleave(const struct row_scratch *scratch, uint32_t length,
     }
 }
 
+/* Ten independent chains: enough to cover the latency of two FMA units. */
 static double loops_peak(long rounds, float *sink)
 {
-    enum { CHAINS = 12 };
-    real x[CHAINS], a = real_set(0.999f), b = real_set(1e-3f);
+    real a = real_set(0.999f), b = real_set(1e-3f);
+    real c0 = a, c1 = b, c2 = a, c3 = b, c4 = a, c5 = b, c6 = a, c7 = b, c8 = a, c9 = b;
     float out[LANES];
-    for (int c = 0; c < CHAINS; c++)
-        x[c] = real_set((float)c);
-    for (long r = 0; r < rounds; r++)
-        for (int c = 0; c < CHAINS; c++)
-            x[c] = real_fma(x[c], a, b);
-    for (int c = 1; c < CHAINS; c++)
-        x[0] = x[0] + x[c];
-    real_store(out, x[0]);
+    for (long r = 0; r < rounds; r++) {
+        c0 = real_fma(c0, a, b), c1 = real_fma(c1, a, b), c2 = real_fma(c2, a, b);
+        c3 = real_fma(c3, a, b), c4 = real_fma(c4, a, b), c5 = real_fma(c5, a, b);
+        c6 = real_fma(c6, a, b), c7 = real_fma(c7, a, b), c8 = real_fma(c8, a, b);
+        c9 = real_fma(c9, a, b);
+    }
+    real_store(out, ((c0 + c1) + (c2 + c3)) + ((c4 + c5) + (c6 + c7)) + (c8 + c9));
     *sink = out[0];
-    return 2.0 * CHAINS * LANES * (double)rounds;
+    return 20.0 * LANES * (double)rounds;
 }
