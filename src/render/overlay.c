@@ -3,6 +3,7 @@
 
 #if HAVE_CAIRO
 
+#include "render/camera.h"
 #include "render/maps.h"
 
 #include <cairo.h>
@@ -68,13 +69,38 @@ static double tick_step(double span, int most)
     return power * 20;
 }
 
-static void tick_text(char *text, size_t size, double value, double step, double largest)
+/* The power of ten, a multiple of 3, that is put before the unit to keep tick texts short. */
+static int tick_exponent(const double range[2])
 {
-    int decimals = (int)fmax(0, -floor(log10(step) + 1e-9));
-    if (largest >= 1e5 || decimals > 4)
-        snprintf(text, size, "%.4g", fabs(value) < step / 2 ? 0 : value);
+    double largest = fmax(fabs(range[0]), fabs(range[1]));
+    if (!isfinite(largest) || largest == 0 || (largest >= 0.01 && largest < 10000))
+        return 0;
+    return 3 * (int)floor(log10(largest) / 3 + 1e-9);
+}
+
+static void tick_text(char *text, size_t size, double value, double step, int exponent)
+{
+    double scale = pow(10, exponent);
+    int decimals = (int)fmin(9, fmax(0, -floor(log10(step / scale) + 1e-9)));
+    snprintf(text, size, "%.*f", decimals, fabs(value) < step / 2 ? 0 : value / scale);
+}
+
+/* "speed (m/s)", "pressure (10^3 Pa)" with the exponent raised. */
+static void bar_name(char *text, size_t size, const struct render_setup *setup)
+{
+    static const char *const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    const char *label = setup->label ? setup->label : "", *unit = setup->unit ? setup->unit : "";
+    int exponent = tick_exponent(setup->range), n = abs(exponent);
+    char power[40] = "";
+    if (exponent)
+        snprintf(power, sizeof power, "10%s%s%s%s%s", exponent < 0 ? "\u207b" : "",
+                 n >= 100 ? digits[n / 100 % 10] : "", n >= 10 ? digits[n / 10 % 10] : "",
+                 digits[n % 10], *unit ? " " : "");
+    if (*unit || exponent)
+        snprintf(text, size, "%s (%s%s)", label, power, unit);
     else
-        snprintf(text, size, "%.*f", decimals, fabs(value) < step / 2 ? 0 : value);
+        snprintf(text, size, "%s", label);
 }
 
 struct bar {
@@ -105,13 +131,14 @@ static double bar_ticks(const struct overlay *o, cairo_t *cr, const struct bar *
 {
     double low = bar->range[0], high = bar->range[1], span = high - low, widest = 0;
     int most = (int)fmin(TICK_MAX - 1, fmax(1, bar->height / (2.2 * o->size)));
-    double step = tick_step(span, most), largest = fmax(fabs(low), fabs(high));
+    double step = tick_step(span, most);
+    int exponent = tick_exponent(bar->range);
     double first = ceil(low / step - 1e-9);
     for (int i = 0; i <= TICK_MAX && (first + i) * step <= high + 1e-9 * span; i++) {
         double value = (first + i) * step;
         double y = bar->y + bar->height * (high - value) / span;
         char text[64];
-        tick_text(text, sizeof text, value, step, largest);
+        tick_text(text, sizeof text, value, step, exponent);
         widest = fmax(widest, text_width(cr, text));
         if (!draw)
             continue;
@@ -136,8 +163,7 @@ static void bar_draw(const struct overlay *o, const struct render_setup *setup, 
     bool ticks = setup->range[1] > setup->range[0] && isfinite(setup->range[1] - setup->range[0]);
     double widest = ticks ? bar_ticks(o, cr, &bar, false) : 0;
     char name[300];
-    snprintf(name, sizeof name, setup->unit && setup->unit[0] ? "%s (%s)" : "%s",
-             setup->label ? setup->label : "", setup->unit);
+    bar_name(name, sizeof name, setup);
     bar.x = floor(width - edge - widest - o->size * 0.5 - bar.width) + 0.5;
     bar.y = floor((height - bar.height) / 2) + 0.5;
     bar_fill(o, cr, &bar, (const struct render_map *)(row ? row : render_maps.rows[0]));
@@ -189,19 +215,19 @@ enum status overlay_open(struct overlay **overlay, const struct render_setup *se
 {
     const struct scene *scene = setup->scene;
     const double *back = scene->render.background;
-    double shorter = fmin(scene->movie.size[1], scene->movie.size[0] * 0.65);
+    double size = camera_text_size(scene);
     double interval = scene->movie.speed / scene->movie.fps;
     bool wanted = scene->render.time || (scene->render.title && scene->title[0]) ||
                   (scene->color.legend && !setup->solid);
     struct overlay *o;
     enum status status;
     *overlay = NULL;
-    if (!wanted || shorter < TEXT_HEIGHT_MIN * 10)
+    if (!wanted || size == 0)
         return STATUS_OK;
     o = calloc(1, sizeof *o);
     if (!o)
         return error_set(e, STATUS_RUN, "out of memory");
-    o->size = fmax(TEXT_HEIGHT_MIN, shorter * 0.026);
+    o->size = size;
     o->background = back;
     o->ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0 : 1;
     o->decimals = interval > 0 ? (int)fmin(6, fmax(1, ceil(-log10(interval)))) : 3;
