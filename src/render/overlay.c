@@ -23,7 +23,7 @@ struct overlay {
     int decimals;           /* of the time stamp */
 };
 
-static cairo_t *painter(const struct overlay *o, cairo_surface_t *surface, double size)
+static cairo_t *painter(cairo_surface_t *surface, double size)
 {
     cairo_t *cr = cairo_create(surface);
     cairo_font_options_t *options = cairo_font_options_create();
@@ -35,7 +35,6 @@ static cairo_t *painter(const struct overlay *o, cairo_surface_t *surface, doubl
     cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cr, size);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-    (void)o;
     return cr;
 }
 
@@ -176,7 +175,7 @@ static void bar_draw(const struct overlay *o, const struct render_setup *setup, 
 static void title_draw(const struct overlay *o, const struct scene *scene)
 {
     double size = o->size * 1.35;
-    cairo_t *cr = painter(o, o->still, size);
+    cairo_t *cr = painter(o->still, size);
     double free_width = scene->movie.size[0] - 2.4 * o->size, width = text_width(cr, scene->title);
     if (width > free_width) { /* a long title shrinks rather than being cut */
         size *= free_width / width;
@@ -202,7 +201,7 @@ static enum status still_make(struct overlay *o, const struct render_setup *setu
     if (scene->render.title && scene->title[0])
         title_draw(o, scene);
     if (scene->color.legend && !setup->solid) {
-        cairo_t *cr = painter(o, o->still, o->size);
+        cairo_t *cr = painter(o->still, o->size);
         bar_draw(o, setup, cr, scene);
         cairo_destroy(cr);
     }
@@ -250,7 +249,8 @@ static void blend(cairo_surface_t *surface, int left, int top, struct image *ima
     width = width < image->width - left ? width : image->width - left;
     height = height < image->height - top ? height : image->height - top;
     for (int y = 0; y < height; y++) {
-        uint8_t *pixel = image->rgba + ((size_t)(y + top) * (size_t)image->width + (size_t)left) * 4;
+        size_t first = (size_t)(y + top) * (size_t)image->width + (size_t)left;
+        uint8_t *pixel = image->rgba + first * 4;
         for (int x = 0; x < width; x++, pixel += 4) {
             uint32_t argb;
             memcpy(&argb, data + (size_t)y * (size_t)stride + (size_t)x * 4, sizeof argb);
@@ -270,7 +270,7 @@ void overlay_draw(struct overlay *o, double time, struct image *image)
     blend(o->still, 0, 0, image);
     if (o->stamp) {
         char text[64];
-        cairo_t *cr = painter(o, o->stamp, o->size);
+        cairo_t *cr = painter(o->stamp, o->size);
         cairo_set_operator(cr, CAIRO_OPERATOR_CLEAR);
         cairo_paint(cr);
         cairo_set_operator(cr, CAIRO_OPERATOR_OVER);

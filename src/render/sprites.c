@@ -87,14 +87,14 @@ enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
                             const struct render_frame *frame, struct error *e)
 {
     if (frame->count > s->capacity) {
-        void *larger = frame->count <= SIZE_MAX / 32
-                           ? realloc(s->packed, (frame->count + frame->count / 4) * sizeof *s->packed)
-                           : NULL;
+        size_t room = frame->count + frame->count / 4;
+        void *larger = frame->count <= SIZE_MAX / 32 ? realloc(s->packed, room * sizeof *s->packed)
+                                                     : NULL;
         if (!larger)
             return error_set(e, STATUS_RUN, "out of memory for drawing %zu particles",
                              frame->count);
         s->packed = larger;
-        s->capacity = frame->count + frame->count / 4;
+        s->capacity = room;
     }
     for (size_t i = 0; i < frame->count; i++) {
         float t;
