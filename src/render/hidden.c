@@ -30,7 +30,13 @@ static bool position_view(const struct camera *camera, const uint32_t particle[4
     return isfinite(view[0]) && isfinite(view[1]) && isfinite(view[2]);
 }
 
-static int clamp_index(float x, int count)
+/* x rounded down and one more, 0..count; plain C, as floorf is a call on the oldest x86-64. */
+static int index_above(float x, int count)
+{
+    return x >= 0 ? x < (float)(count - 1) ? (int)x + 1 : count : 0;
+}
+
+static int index_below(float x, int count)
 {
     return x > 0 ? x < (float)count ? (int)x : count : 0;
 }
@@ -41,17 +47,19 @@ static void cover(const struct projection *to, const float view[3], float radius
 {
     float x = to->middle_x + to->scale_x * view[0] / view[2];
     float y = to->middle_y + to->scale_y * view[1] / view[2];
-    float r = fminf(to->scale_x, to->scale_y) * radius / view[2] * 0.995F - 0.01F;
-    int bottom = clamp_index(ceilf(y - r + sample_reach - 0.5F), to->height);
-    int top = clamp_index(floorf(y + r - sample_reach - 0.5F) + 1, to->height);
+    float scale = to->scale_x < to->scale_y ? to->scale_x : to->scale_y;
+    float r = scale * radius / view[2] * 0.995F - 0.01F;
+    int bottom = index_above(y - r + sample_reach - 0.5F, to->height);
+    int top = index_above(y + r - sample_reach - 0.5F, to->height);
     for (int row = bottom; row < top; row++) {
         float dy = fabsf((float)row + 0.5F - y) + sample_reach;
-        float half = sqrtf(fmaxf(0, r * r - dy * dy)) - sample_reach;
-        int left = clamp_index(ceilf(x - half - 0.5F), to->width);
-        int right = clamp_index(floorf(x + half - 0.5F) + 1, to->width);
+        float half2 = r * r - dy * dy, half = half2 > 0 ? sqrtf(half2) - sample_reach : -1;
+        int left = index_above(x - half - 0.5F, to->width);
+        int right = index_above(x + half - 0.5F, to->width);
         float *line = depth + (size_t)row * (size_t)to->width;
         for (int column = left; column < right; column++)
-            line[column] = fminf(line[column], view[2]);
+            if (view[2] < line[column])
+                line[column] = view[2];
     }
 }
 
@@ -62,8 +70,8 @@ static void extent(float center, float radius, float z, float scale, float middl
     float low = center - radius, high = center + radius;
     low = low < 0 ? low / (z - radius) : low / (z + radius);
     high = high > 0 ? high / (z - radius) : high / (z + radius);
-    *first = clamp_index(floorf(middle + scale * low - 0.02F), count);
-    *end = clamp_index(floorf(middle + scale * high + 0.02F) + 1, count);
+    *first = index_below(middle + scale * low - 0.02F, count);
+    *end = index_above(middle + scale * high + 0.02F, count);
 }
 
 /* Behind what covers each pixel of its bounding box? Out of the picture counts as hidden. */
