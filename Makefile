@@ -25,7 +25,7 @@ SAFE     := -ffp-contract=off -fno-math-errno -fno-trapping-math
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes $(WERROR)
 CFLAGS_  := -std=c11 -D_GNU_SOURCE $(OPT) $(WARN) $(SAFE) $(OPENMP) -Isrc -I$(BUILD)/gen $(DEFINES) \
             $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null) $(CFLAGS)
-LIBS     := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) $(if $(filter 1,$(EGL)),-lEGL) -ldl -lm -lpthread
+LIBS     := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) -ldl -lm -lpthread
 
 SOURCES  := $(sort $(shell find src -name '*.c'))
 OBJECTS  := $(SOURCES:%.c=$(BUILD)/%.o)

@@ -13,24 +13,26 @@ out vec4 pixel;
 void main()
 {
     // All differences are taken near the sphere, where floats are precise.
-    vec3 ray = normalize(center + offset);
-    float along = dot(offset, ray);
-    float half2 = radius * radius - (dot(offset, offset) - along * along);
+    vec3 point = center + offset;
+    float scale = 1.0 / dot(point, point), along = dot(offset, point) * scale;
+    float half2 = (radius * radius - dot(offset, offset)) * scale + along * along;
     if (half2 < 0.0)
         discard;
-    float entry = -along - sqrt(half2);
-    vec3 from_center = offset + entry * ray;
+    vec3 from_center = offset - (along + sqrt(half2)) * point;
     float depth = -(center.z + from_center.z);
     if (depth <= 0.0)
         discard;
     gl_FragDepth = depth / far;
 
     // Faces turned to the viewer and the light keep the colour of the colour bar; others darken.
-    vec3 normal = from_center / radius;
+    vec3 normal = from_center / radius, ray = point * sqrt(scale);
     float ambient = 0.5 + 0.5 * dot(normal, sky);
     float diffuse = max(dot(normal, key_light), 0.0);
     float facing = max(-dot(normal, ray), 0.0);
     float light = (0.44 + 0.20 * ambient + 0.52 * diffuse) * (0.62 + 0.38 * facing);
-    float shine = pow(max(dot(reflect(ray, normal), key_light), 0.0), 24.0);
-    pixel = vec4(min(color * min(light, 1.0) + 0.10 * shine, vec3(1.0)), 1.0);
+    float shine = max(dot(reflect(ray, normal), key_light), 0.0);
+    shine *= shine;
+    shine *= shine;
+    shine *= shine; // to the power of 8, and below of 24
+    pixel = vec4(min(color * min(light, 1.0) + 0.10 * shine * shine * shine, vec3(1.0)), 1.0);
 }

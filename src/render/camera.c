@@ -6,7 +6,7 @@
 #include <string.h>
 
 static const double margin = 1.06; /* free border around an automatically framed domain */
-static const double legend_width = 0.17; /* of the colour bar with its text, picture heights */
+static const double legend_sizes = 6.5; /* width of the colour bar with its text, text sizes */
 
 static double dot(const double a[3], const double b[3])
 {
@@ -100,23 +100,31 @@ void camera_view(const struct camera *camera, const double point[3], double view
     view[2] = dot(d, camera->forward);
 }
 
-/* The part of the half width to the right of the middle that is free of the colour bar. */
-static double free_right(const struct scene *scene)
+/* Pixels at the right edge that the colour bar takes. */
+static double legend_pixels(const struct scene *scene)
 {
-    double bar = 2 * legend_width * scene->movie.size[1] / scene->movie.size[0];
     bool legend = scene->color.legend && strcmp(scene->color.by, "solid") != 0;
-    return legend ? fmax(0.5, 1 - bar) : 1;
+    return legend ? legend_sizes * camera_text_size(scene) : 0;
 }
 
-/* The least distance from `center` along -forward at which all corners are seen, and the sideways
- * shift of the eye that centres them. A corner p is in the picture when p.x - e.x <= right *
- * (p.z + d) and so on for four sides: linear conditions on d and e, solved exactly. */
-static double fit(const struct camera *camera, const struct scene *scene, double radius,
-                  const double center[3], double shift[2])
+double camera_text_size(const struct scene *scene)
 {
-    double most[4] = {-INFINITY, -INFINITY, -INFINITY, -INFINITY}, nearest = INFINITY, distance;
-    double left = camera->tan_x / margin, right = left * free_right(scene);
-    double side = camera->tan_y / margin;
+    double shorter = fmin(scene->movie.size[1], scene->movie.size[0] * 0.65);
+    return shorter < 140 ? 0 : fmax(8, shorter * 0.026);
+}
+
+/* What an eye at distance d before the middle of the domain, shifted by x and y, must see: a corner
+ * p is right enough when p.x - x <= right * (p.z + d), and so on for left, top and bottom. Linear
+ * conditions on d, x and y, so their bounds over all corners (and angles) can be gathered. */
+struct fit {
+    double left, right, side; /* tangents of the usable picture */
+    double most[4];           /* right, left, top, bottom, m */
+    double nearest;           /* corner along the line of sight, m */
+};
+
+static void fit_add(struct fit *fit, const struct camera *camera, const struct scene *scene,
+                    double radius, const double center[3])
+{
     for (int i = 0; i < 8; i++) {
         double p[3], x, y, z;
         camera_corner(scene, i, radius, p);
@@ -125,44 +133,48 @@ static double fit(const struct camera *camera, const struct scene *scene, double
         x = dot(p, camera->right);
         y = dot(p, camera->up);
         z = dot(p, camera->forward);
-        most[0] = fmax(most[0], x - right * z);
-        most[1] = fmax(most[1], -x - left * z);
-        most[2] = fmax(most[2], y - side * z);
-        most[3] = fmax(most[3], -y - side * z);
-        nearest = fmin(nearest, z);
+        fit->most[0] = fmax(fit->most[0], x - fit->right * z);
+        fit->most[1] = fmax(fit->most[1], -x - fit->left * z);
+        fit->most[2] = fmax(fit->most[2], y - fit->side * z);
+        fit->most[3] = fmax(fit->most[3], -y - fit->side * z);
+        fit->nearest = fmin(fit->nearest, z);
     }
-    distance = fmax((most[0] + most[1]) / (left + right), (most[2] + most[3]) / (2 * side));
-    distance = fmax(distance, -nearest * 1.01 + 1e-9);
-    shift[0] = (most[0] - most[1] + (left - right) * distance) / 2;
-    shift[1] = (most[2] - most[3]) / 2;
+}
+
+/* The least distance that satisfies all, and the shift that leaves equal room on both sides. */
+static double fit_solve(const struct fit *f, double shift[2])
+{
+    double distance = fmax((f->most[0] + f->most[1]) / (f->left + f->right),
+                           (f->most[2] + f->most[3]) / (2 * f->side));
+    distance = fmax(distance, -f->nearest * 1.01 + 1e-9);
+    shift[0] = (f->most[0] - f->most[1] + (f->left - f->right) * distance) / 2;
+    shift[1] = (f->most[2] - f->most[3]) / 2;
     return distance;
 }
 
-/* Places the eye so that the domain fills the picture; on an orbit, so that it does at any angle. */
+/* Places the eye so that the domain fills the picture; on an orbit, so that it does at any angle,
+ * from one distance. */
 static void frame_domain(struct camera *camera, const struct scene *scene, double radius,
                          const double up[3], bool orbit, double angle)
 {
-    double center[3], shift[2] = {0, 0}, start[3], distance = 0;
+    double center[3], shift[2], start[3], distance;
+    double bar = fmin(0.5, 2 * legend_pixels(scene) / camera->width);
+    struct fit fit = {.left = camera->tan_x / margin, .side = camera->tan_y / margin,
+                      .right = camera->tan_x / margin * (1 - bar), .nearest = INFINITY,
+                      .most = {-INFINITY, -INFINITY, -INFINITY, -INFINITY}};
     for (int k = 0; k < 3; k++)
         center[k] = (scene->domain.max[k] - scene->domain.min[k]) / 2;
     default_forward(up, start);
-    for (int i = 0; orbit && i < 64; i++) {
+    for (int i = 0; i < (orbit ? 64 : 1); i++) {
         memcpy(camera->forward, start, sizeof start);
         rotate(camera->forward, up, i * 6.283185307179586 / 64);
         axes_make(camera, up);
-        double d = fit(camera, scene, radius, center, shift);
-        /* The orbit keeps the middle in the middle: without the shift, stand back instead. */
-        d += margin * fmax(fabs(shift[0]) / (camera->tan_x * free_right(scene)),
-                           fabs(shift[1]) / camera->tan_y);
-        distance = fmax(distance, d);
+        fit_add(&fit, camera, scene, radius, center);
     }
+    distance = fit_solve(&fit, shift);
     memcpy(camera->forward, start, sizeof start);
     rotate(camera->forward, up, angle);
     axes_make(camera, up);
-    if (orbit)
-        shift[0] = shift[1] = 0;
-    else
-        distance = fit(camera, scene, radius, center, shift);
     for (int k = 0; k < 3; k++)
         camera->eye[k] = center[k] - distance * camera->forward[k] +
                          shift[0] * camera->right[k] + shift[1] * camera->up[k];

@@ -18,6 +18,10 @@ struct camera {
  * degenerate in the scene is replaced by something that shows the domain. */
 void camera_make(struct camera *camera, const struct scene *scene, double radius, double time);
 
+/* Height of text over the picture in pixels, by which its parts are laid out; 0: too small for
+ * text. */
+double camera_text_size(const struct scene *scene);
+
 /* Into camera axes: x right, y up, z distance in front of the eye. */
 void camera_view(const struct camera *camera, const double point[3], double view[3]);
 

@@ -3,6 +3,7 @@
 
 #if HAVE_CAIRO
 
+#include "render/camera.h"
 #include "render/maps.h"
 
 #include <cairo.h>
@@ -22,7 +23,7 @@ struct overlay {
     int decimals;           /* of the time stamp */
 };
 
-static cairo_t *painter(const struct overlay *o, cairo_surface_t *surface, double size)
+static cairo_t *painter(cairo_surface_t *surface, double size)
 {
     cairo_t *cr = cairo_create(surface);
     cairo_font_options_t *options = cairo_font_options_create();
@@ -34,7 +35,6 @@ static cairo_t *painter(const struct overlay *o, cairo_surface_t *surface, doubl
     cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cr, size);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-    (void)o;
     return cr;
 }
 
@@ -68,13 +68,38 @@ static double tick_step(double span, int most)
     return power * 20;
 }
 
-static void tick_text(char *text, size_t size, double value, double step, double largest)
+/* The power of ten, a multiple of 3, that is put before the unit to keep tick texts short. */
+static int tick_exponent(const double range[2])
 {
-    int decimals = (int)fmax(0, -floor(log10(step) + 1e-9));
-    if (largest >= 1e5 || decimals > 4)
-        snprintf(text, size, "%.4g", fabs(value) < step / 2 ? 0 : value);
+    double largest = fmax(fabs(range[0]), fabs(range[1]));
+    if (!isfinite(largest) || largest == 0 || (largest >= 0.01 && largest < 10000))
+        return 0;
+    return 3 * (int)floor(log10(largest) / 3 + 1e-9);
+}
+
+static void tick_text(char *text, size_t size, double value, double step, int exponent)
+{
+    double scale = pow(10, exponent);
+    int decimals = (int)fmin(9, fmax(0, -floor(log10(step / scale) + 1e-9)));
+    snprintf(text, size, "%.*f", decimals, fabs(value) < step / 2 ? 0 : value / scale);
+}
+
+/* "speed (m/s)", "pressure (10^3 Pa)" with the exponent raised. */
+static void bar_name(char *text, size_t size, const struct render_setup *setup)
+{
+    static const char *const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    const char *label = setup->label ? setup->label : "", *unit = setup->unit ? setup->unit : "";
+    int exponent = tick_exponent(setup->range), n = abs(exponent);
+    char power[40] = "";
+    if (exponent)
+        snprintf(power, sizeof power, "10%s%s%s%s%s", exponent < 0 ? "\u207b" : "",
+                 n >= 100 ? digits[n / 100 % 10] : "", n >= 10 ? digits[n / 10 % 10] : "",
+                 digits[n % 10], *unit ? " " : "");
+    if (*unit || exponent)
+        snprintf(text, size, "%s (%s%s)", label, power, unit);
     else
-        snprintf(text, size, "%.*f", decimals, fabs(value) < step / 2 ? 0 : value);
+        snprintf(text, size, "%s", label);
 }
 
 struct bar {
@@ -105,13 +130,14 @@ static double bar_ticks(const struct overlay *o, cairo_t *cr, const struct bar *
 {
     double low = bar->range[0], high = bar->range[1], span = high - low, widest = 0;
     int most = (int)fmin(TICK_MAX - 1, fmax(1, bar->height / (2.2 * o->size)));
-    double step = tick_step(span, most), largest = fmax(fabs(low), fabs(high));
+    double step = tick_step(span, most);
+    int exponent = tick_exponent(bar->range);
     double first = ceil(low / step - 1e-9);
     for (int i = 0; i <= TICK_MAX && (first + i) * step <= high + 1e-9 * span; i++) {
         double value = (first + i) * step;
         double y = bar->y + bar->height * (high - value) / span;
         char text[64];
-        tick_text(text, sizeof text, value, step, largest);
+        tick_text(text, sizeof text, value, step, exponent);
         widest = fmax(widest, text_width(cr, text));
         if (!draw)
             continue;
@@ -136,8 +162,7 @@ static void bar_draw(const struct overlay *o, const struct render_setup *setup, 
     bool ticks = setup->range[1] > setup->range[0] && isfinite(setup->range[1] - setup->range[0]);
     double widest = ticks ? bar_ticks(o, cr, &bar, false) : 0;
     char name[300];
-    snprintf(name, sizeof name, setup->unit && setup->unit[0] ? "%s (%s)" : "%s",
-             setup->label ? setup->label : "", setup->unit);
+    bar_name(name, sizeof name, setup);
     bar.x = floor(width - edge - widest - o->size * 0.5 - bar.width) + 0.5;
     bar.y = floor((height - bar.height) / 2) + 0.5;
     bar_fill(o, cr, &bar, (const struct render_map *)(row ? row : render_maps.rows[0]));
@@ -150,7 +175,7 @@ static void bar_draw(const struct overlay *o, const struct render_setup *setup, 
 static void title_draw(const struct overlay *o, const struct scene *scene)
 {
     double size = o->size * 1.35;
-    cairo_t *cr = painter(o, o->still, size);
+    cairo_t *cr = painter(o->still, size);
     double free_width = scene->movie.size[0] - 2.4 * o->size, width = text_width(cr, scene->title);
     if (width > free_width) { /* a long title shrinks rather than being cut */
         size *= free_width / width;
@@ -176,7 +201,7 @@ static enum status still_make(struct overlay *o, const struct render_setup *setu
     if (scene->render.title && scene->title[0])
         title_draw(o, scene);
     if (scene->color.legend && !setup->solid) {
-        cairo_t *cr = painter(o, o->still, o->size);
+        cairo_t *cr = painter(o->still, o->size);
         bar_draw(o, setup, cr, scene);
         cairo_destroy(cr);
     }
@@ -189,19 +214,19 @@ enum status overlay_open(struct overlay **overlay, const struct render_setup *se
 {
     const struct scene *scene = setup->scene;
     const double *back = scene->render.background;
-    double shorter = fmin(scene->movie.size[1], scene->movie.size[0] * 0.65);
+    double size = camera_text_size(scene);
     double interval = scene->movie.speed / scene->movie.fps;
     bool wanted = scene->render.time || (scene->render.title && scene->title[0]) ||
                   (scene->color.legend && !setup->solid);
     struct overlay *o;
     enum status status;
     *overlay = NULL;
-    if (!wanted || shorter < TEXT_HEIGHT_MIN * 10)
+    if (!wanted || size == 0)
         return STATUS_OK;
     o = calloc(1, sizeof *o);
     if (!o)
         return error_set(e, STATUS_RUN, "out of memory");
-    o->size = fmax(TEXT_HEIGHT_MIN, shorter * 0.026);
+    o->size = size;
     o->background = back;
     o->ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0 : 1;
     o->decimals = interval > 0 ? (int)fmin(6, fmax(1, ceil(-log10(interval)))) : 3;
@@ -224,7 +249,8 @@ static void blend(cairo_surface_t *surface, int left, int top, struct image *ima
     width = width < image->width - left ? width : image->width - left;
     height = height < image->height - top ? height : image->height - top;
     for (int y = 0; y < height; y++) {
-        uint8_t *pixel = image->rgba + ((size_t)(y + top) * (size_t)image->width + (size_t)left) * 4;
+        size_t first = (size_t)(y + top) * (size_t)image->width + (size_t)left;
+        uint8_t *pixel = image->rgba + first * 4;
         for (int x = 0; x < width; x++, pixel += 4) {
             uint32_t argb;
             memcpy(&argb, data + (size_t)y * (size_t)stride + (size_t)x * 4, sizeof argb);
@@ -244,7 +270,7 @@ void overlay_draw(struct overlay *o, double time, struct image *image)
     blend(o->still, 0, 0, image);
     if (o->stamp) {
         char text[64];
-        cairo_t *cr = painter(o, o->stamp, o->size);
+        cairo_t *cr = painter(o->stamp, o->size);
         cairo_set_operator(cr, CAIRO_OPERATOR_CLEAR);
         cairo_paint(cr);
         cairo_set_operator(cr, CAIRO_OPERATOR_OVER);

@@ -4,6 +4,7 @@
 #include "render/camera.h"
 #include "render/context.h"
 #include "render/gl.h"
+#include "render/hidden.h"
 #include "render/overlay.h"
 #include "render/sprites.h"
 #include "render/wire.h"
@@ -24,6 +25,7 @@ struct renderer {
     int width, height; /* of a frame, pixels */
     int samples;       /* drawn pixels per frame pixel, in x and in y */
     uint32_t *drawn;   /* RGBA bytes as read back, bottom row first */
+    float *cover;      /* width * height, for hidden_drop */
     char name[300];
 };
 
@@ -65,7 +67,10 @@ static enum status framebuffer_open(struct renderer *r, struct error *e)
         return error_set(e, STATUS_BACKEND, "%s cannot draw off-screen (framebuffer 0x%04x)",
                          r->name, state);
     r->drawn = malloc((size_t)width * (size_t)height * 4);
-    return r->drawn ? STATUS_OK : error_set(e, STATUS_RUN, "out of memory for the picture");
+    r->cover = malloc((size_t)r->width * (size_t)r->height * sizeof *r->cover);
+    if (!r->drawn || !r->cover)
+        return error_set(e, STATUS_RUN, "out of memory for the picture");
+    return STATUS_OK;
 }
 
 /* Everything that needs the context current. */
@@ -115,7 +120,9 @@ static enum status row_open(struct renderer *r, const struct gl_context_row *row
     if (status != STATUS_OK) {
         row->close(r->context);
         free(r->drawn);
+        free(r->cover);
         r->drawn = NULL;
+        r->cover = NULL;
         r->context = NULL;
         r->row = NULL;
         r->framebuffer = 0;
@@ -195,6 +202,7 @@ void renderer_close(struct renderer *r)
         r->row->close(r->context);
     }
     free(r->drawn);
+    free(r->cover);
     free(r);
 }
 
@@ -218,9 +226,11 @@ static enum status gl_draw(struct renderer *r, const struct render_frame *frame,
     const double *back = scene->render.background;
     GLsizei width = r->width * r->samples, height = r->height * r->samples;
     struct camera camera;
+    size_t count;
     double far;
     camera_make(&camera, scene, r->setup.radius, frame->time);
-    far = far_distance(r, &camera, frame->count);
+    count = hidden_drop(&camera, r->sprites.packed, frame->count, r->setup.radius, r->cover);
+    far = far_distance(r, &camera, count);
     gl->BindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
     gl->Viewport(0, 0, width, height);
     gl->Disable(GL_DITHER);
@@ -228,8 +238,8 @@ static enum status gl_draw(struct renderer *r, const struct render_frame *frame,
     gl->DepthMask(1);
     gl->ClearColor((float)back[0], (float)back[1], (float)back[2], 1);
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (frame->count)
-        sprites_draw(&r->sprites, gl, frame->count, &camera, far);
+    if (count)
+        sprites_draw(&r->sprites, gl, count, &camera, far);
     if (scene->render.box)
         wire_draw(&r->wire, gl, scene, &camera, far, r->samples);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -87,14 +87,14 @@ enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
                             const struct render_frame *frame, struct error *e)
 {
     if (frame->count > s->capacity) {
-        void *larger = frame->count <= SIZE_MAX / 32
-                           ? realloc(s->packed, (frame->count + frame->count / 4) * sizeof *s->packed)
-                           : NULL;
+        size_t room = frame->count + frame->count / 4;
+        void *larger = frame->count <= SIZE_MAX / 32 ? realloc(s->packed, room * sizeof *s->packed)
+                                                     : NULL;
         if (!larger)
             return error_set(e, STATUS_RUN, "out of memory for drawing %zu particles",
                              frame->count);
         s->packed = larger;
-        s->capacity = frame->count + frame->count / 4;
+        s->capacity = room;
     }
     for (size_t i = 0; i < frame->count; i++) {
         float t;
@@ -155,10 +155,11 @@ static void lights_set(const struct sprites *s, const struct gl *gl)
     gl->Uniform3f(s->sky, 0, 1, 0);
 }
 
-/* Three ways were timed on llvmpipe (2 threads, 50k spheres, 1280x720, four samples per pixel); see
- * the table in the README. Points are cut off when their centre leaves the picture, are limited in
- * size, and differ between rasterisers; instanced quads agree but cost a vertex batch per particle.
- * One triangle per particle, numbered by gl_VertexID, agrees and is the fastest. */
+/* Four ways were timed on llvmpipe (least ms per frame, 1280x720, four samples per pixel, two
+ * threads) with 50k and 200k spheres in sight: points 123 and 250, instanced quads 154 and 245,
+ * quads numbered by gl_VertexID 110 and 249, triangles numbered by gl_VertexID 121 and 235. Points
+ * vanish when their centre leaves the picture, are limited in size, and differ between
+ * rasterisers; the others agree. A triangle has the fewest vertices. */
 void sprites_draw(const struct sprites *s, const struct gl *gl, size_t count,
                   const struct camera *camera, double far)
 {
