@@ -101,9 +101,7 @@ enum status mp4_codec_open(AVCodecContext **opened, const struct mp4_picture *pi
     size_t used = 0;
     for (size_t i = 0; i < mp4_codec_count; i++) {
         if (mp4_codec_try(opened, &mp4_codecs[i], picture, e) == STATUS_OK) {
-            log_detail("video codec %s%s", mp4_codecs[i].name, used ? ", since" : "");
-            if (used)
-                log_detail("  %s", tried);
+            log_detail("video codec %s%s%s", mp4_codecs[i].name, used ? ", since " : "", tried);
             return STATUS_OK;
         }
         if (used < sizeof tried)
