@@ -33,7 +33,7 @@ struct mp4_picture {
 enum status mp4_codec_try(struct AVCodecContext **context, const struct mp4_codec *codec,
                           const struct mp4_picture *picture, struct error *e);
 
-/* Opens the first codec that can be opened; the message of STATUS_BACKEND names each one's reason. */
+/* Opens the first codec that can be opened; the message of STATUS_BACKEND has each one's reason. */
 enum status mp4_codec_open(struct AVCodecContext **context, const struct mp4_picture *picture,
                            struct error *e);
 
