@@ -131,7 +131,8 @@ static void format_eta(char *text, size_t size, double seconds)
 static void draw(double done, double total, const char *note)
 {
     struct winsize window = {0};
-    int columns = ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col ? window.ws_col : 80;
+    bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col;
+    int columns = known ? window.ws_col : 80;
     double share = total > 0 ? fmin(fmax(done / total, 0), 1) : 0;
     int full = (int)(share * BAR_WIDTH);
     double eta = share >= 1 ? 0 : progress.speed > 0 ? (total - done) / progress.speed : INFINITY;

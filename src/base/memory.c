@@ -12,6 +12,8 @@ enum {
     ZERO_CHUNK = 1 << 16     /* bytes */
 };
 
+static const size_t ADDRESS_MAX = SIZE_MAX >> 16; /* bytes; more than any processor maps */
+
 struct account {
     struct account *next;
     size_t bytes, blocks;
@@ -72,7 +74,7 @@ static void zero(char *bytes, size_t size)
 void *memory_create(const char *label, size_t count, size_t size, struct error *e)
 {
     size_t bytes;
-    if (__builtin_mul_overflow(count, size, &bytes) || bytes > SIZE_MAX / 2) {
+    if (__builtin_mul_overflow(count, size, &bytes) || bytes > ADDRESS_MAX) {
         error_set(e, STATUS_RUN, "%s: %zu items of %zu bytes are more than an address can reach",
                   label, count, size);
         return NULL;

@@ -105,7 +105,7 @@ enum status encode_check(const struct encode_target *target, struct error *e)
         return error_set(e, STATUS_USAGE, "output \"%s\": a picture of %d x %d pixels is empty",
                          target->path, target->width, target->height);
     if (!(target->fps > 0) || !isfinite(target->fps))
-        return error_set(e, STATUS_USAGE, "output \"%s\": %g frames per second; it must be positive",
+        return error_set(e, STATUS_USAGE, "output \"%s\": %g frames per second are not positive",
                          target->path, target->fps);
     if (row->check && row->check(target, e))
         return e->status;

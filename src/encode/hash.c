@@ -1,6 +1,7 @@
 /* Encoder "hash": one line per frame on stdout, "index time state-hash pixel-hash". */
 #include "encode/encode.h"
 
+#include <endian.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -14,9 +15,8 @@ static uint64_t hash_bytes(const uint8_t *bytes, size_t size)
     const uint64_t prime = UINT64_C(0x100000001b3);
     for (size_t i = 0; i < size; i += 8) {
         uint64_t word = 0;
-        for (size_t k = 0; k < 8 && i + k < size; k++)
-            word |= (uint64_t)bytes[i + k] << 8 * k;
-        hash = (hash ^ word) * prime;
+        memcpy(&word, bytes + i, size - i < 8 ? size - i : 8);
+        hash = (hash ^ le64toh(word)) * prime;
         hash ^= hash >> 32;
     }
     hash = (hash ^ size) * prime;

@@ -37,6 +37,9 @@ static void install(void)
 void libav_quiet(void)
 {
     pthread_once(&once, install);
+    pthread_mutex_lock(&mutex);
+    last_line[0] = 0;
+    pthread_mutex_unlock(&mutex);
 }
 
 void libav_reason(int code, char *text, size_t size)

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-/* Keeps the libraries from printing; their last error line is remembered instead. */
+/* Keeps the libraries from printing; from now on their last error line is remembered instead. */
 void libav_quiet(void);
 
 /* "text of the code (last error line)" in `text`; forgets the line. */

@@ -36,7 +36,7 @@ struct encoder {
 
 static void encoder_free(struct encoder *encoder)
 {
-    avcodec_free_context(&encoder->codec);
+    mp4_codec_close(&encoder->codec, encoder->count > 0);
     sws_freeContext(encoder->convert);
     av_frame_free(&encoder->picture);
     av_packet_free(&encoder->packet);

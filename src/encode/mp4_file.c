@@ -17,7 +17,6 @@
 struct mp4_file {
     AVFormatContext *format;
     AVRational time_base; /* of the packets that come */
-    bool written;         /* the header is */
     char *path;
 };
 
@@ -96,7 +95,6 @@ static enum status file_begin(struct mp4_file *file, const char *flags, const ch
     av_dict_free(&options);
     if (code < 0)
         return libav_error(e, STATUS_OUTPUT, code, "%s: cannot write the header", file->path);
-    file->written = true;
     return STATUS_OK;
 }
 
@@ -138,7 +136,7 @@ enum status mp4_file_close(struct mp4_file *file, bool finish, struct error *e)
 {
     int code = 0;
     enum status status = STATUS_OK;
-    if (file->written && finish) {
+    if (finish) {
         code = worst(file->format, av_write_trailer(file->format));
         if (code >= 0) {
             avio_flush(file->format->pb);
