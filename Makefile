@@ -1,7 +1,9 @@
 # sph-render: options first, then flags, then targets.
 # Each option is detected and can be set: make EGL=0 OSMESA=0 CUDA=0 MPI=0
 
-CC       ?= gcc
+ifeq ($(origin CC),default)
+CC       := gcc
+endif
 BUILD    ?= build
 PREFIX   ?= /usr/local
 OPT      ?= -O2 -g

@@ -11,6 +11,7 @@
 static const struct variant_table *const tables[] = {
     &solver_table,    &kernel_table,   &search_table, &backend_table, &isa_table,
     &render_contexts, &encode_table,   &color_table,  &render_maps,
+    &render_overlays,
 };
 
 const struct vocabulary run_vocabulary = {tables, sizeof tables / sizeof *tables};
