@@ -45,6 +45,30 @@ static size_t splice(const char *text, size_t length, char *out, unsigned *rando
     return head + strlen(word) + length - to;
 }
 
+/* Every word for keys of every kind. */
+static void try_overrides(const char *text, size_t length)
+{
+    static const char *const paths[] = {
+        "title", "gravity", "domain", "domain.min", "domain.walls", "domain.walls.+y", "particles",
+        "particles.spacing", "fluids", "fluids.0", "fluids.0.density", "bodies", "bodies.0",
+        "bodies.0.shape", "bodies.0.seed", "bodies.0.max", "solver.method", "solver.sound_speed",
+        "time.end", "movie.size", "camera.eye", "color.range", "drag.wind", "", ".", "bodies.-1"};
+    for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
+        for (size_t w = 0; w < sizeof splices / sizeof *splices; w++) {
+            char item[128];
+            const char *items[] = {item, "time.step=auto"};
+            struct scene_overrides set = {.items = items, .count = 2};
+            struct scene *scene;
+            struct error e = {0};
+            snprintf(item, sizeof item, "%s=%s", paths[p], splices[w]);
+            enum status status = load_text(&scene, text, length, &set, &e);
+            count++;
+            failed += (status == STATUS_OK) != (scene != NULL) || (status && status != STATUS_USAGE);
+            scene_free(scene);
+        }
+    }
+}
+
 static void fuzz(const char *name, const char *text, size_t length)
 {
     char *copy = malloc(length + 64);
@@ -62,6 +86,7 @@ static void fuzz(const char *name, const char *text, size_t length)
         size_t size = splice(text, length, copy, &random);
         try_text(name, copy, size);
     }
+    try_overrides(text, length);
     free(copy);
 }
 

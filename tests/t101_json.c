@@ -67,7 +67,8 @@ static void refuses_with_place(void **state)
 
 static void accepts_json(void **state)
 {
-    static const char *const texts[] = {"0", "-0.5e-3", "[]", "{}", " null ", "\"\\u00e9\\ud83d\\ude00\"",
+    static const char *const texts[] = {"0", "-0.5e-3", "[]", "{}", " null ",
+                                        "\"\\u00e9\\ud83d\\ude00\"",
                                         "[1,2 , [true,false]]", "{\"a\":{\"b\":[{}]}}", "1E+5"};
     (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -84,7 +85,8 @@ static void decodes_strings(void **state)
     struct error e;
     char text[64], small[4];
     (void)state;
-    assert_int_equal(json_read_text(&doc, "t", "[\"a\\n\\\"\\u00e9\\ud83d\\ude00\\/\", \"ab\xc3\xa9\"]",
+    assert_int_equal(json_read_text(&doc, "t",
+                                    "[\"a\\n\\\"\\u00e9\\ud83d\\ude00\\/\", \"ab\xc3\xa9\"]",
                                     &e), STATUS_OK);
     assert_true(json_string(&doc, 1, text, sizeof text));
     assert_string_equal(text, "a\n\"\xc3\xa9\xf0\x9f\x98\x80/");

@@ -83,12 +83,14 @@ static const struct { const char *text, *place, *says; } refused[] = {
      "less than particles.spacing"},
     {BODIES("{\"shape\": \"box\", \"min\": [0,0,0], \"max\": [0.5,0,0.5]}"), ":3:53:",
      "not above bodies.0.min along y"},
-    {BODIES("{\"shape\": \"box\", \"min\": [-1,0,0], \"max\": [1,1,1]}"), ":3:37:", "outside the domain"},
+    {BODIES("{\"shape\": \"box\", \"min\": [-1,0,0], \"max\": [1,1,1]}"), ":3:37:",
+     "outside the domain"},
     {BODIES(SPHERE ", {\"shape\": \"box\", \"min\": [0,0,0], \"max\": [0.4,0.5,0.5]}"), "",
      "bodies.1 (box) overlaps bodies.0 (sphere)"},
-    {BODIES("{\"fluid\": \"watr\", \"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], \"radius\": 1}"),
-     ":3:23:", "did you mean \"water\""},
-    {BODIES("{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], \"radius\": 0.2, \"seed\": 1.5}"), "",
+    {BODIES("{\"fluid\": \"watr\", \"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], "
+            "\"radius\": 1}"), ":3:23:", "did you mean \"water\""},
+    {BODIES("{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], "
+            "\"radius\": 0.2, \"seed\": 1.5}"), "",
      "whole number"},
 };
 
@@ -237,8 +239,10 @@ static void round_trips(void **state)
         "title=\"\\u00e9\\n\\\"\"", "gravity=[0.1, -9.80665, 1e-300]", "time.step=0.1",
         "domain.walls.-y=particles", "solver.sound_speed=34.5", "bodies.0.seed=9007199254740993",
         "drag.steps=9", "camera.eye=[3, 2, 1]"};
-    struct scene *a = load_set(BODIES(SPHERE ", {\"shape\": \"cylinder\", \"center\": [0.2, 0.2, 0.2], "
-                                      "\"radius\": 0.1, \"height\": 0.3, \"axis\": \"z\"}"), items, 8);
+    static const char text[] =
+        BODIES(SPHERE ", {\"shape\": \"cylinder\", \"center\": [0.2, 0.2, 0.2], "
+               "\"radius\": 0.1, \"height\": 0.3, \"axis\": \"z\"}");
+    struct scene *a = load_set(text, items, 8);
     assert_int_equal(a->bodies[0].seed, 9007199254740993);
     char *first = written(a);
     struct scene *b = load_set(first, NULL, 0);

@@ -62,6 +62,7 @@ static void measures(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(finds_overlaps), cmocka_unit_test(measures)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(finds_overlaps),
+                                       cmocka_unit_test(measures)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

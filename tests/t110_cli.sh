@@ -8,7 +8,9 @@ scene=scenes/dambreak.json
 
 result() { # STATUS NAME
     n=$((n + 1))
-    if [ "$1" = 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; sed 's/^/# /' "$work/out"; fi
+    [ "$1" = 0 ] && echo "ok $n - $2" && return
+    echo "not ok $n - $2"
+    sed 's/^/# /' "$work/out"
 }
 # run WANTED-CODE TEXT ARGUMENTS...: the exit code, and TEXT in what it says (literally)
 run() {
@@ -40,6 +42,7 @@ run 2 "--at soon" $scene -o null --at soon
 run 2 "add --end 99" $scene -o null --at 99
 run 2 "--threads -2" $scene --check --threads -2
 run 2 "--threads 1.5" $scene --check --threads 1.5
+run 2 "is given twice" $scene -o null -o null
 run 2 "the name is empty" $scene -o ""
 run 2 "did you mean \"wcsph\"" $scene --check --solver wscph
 run 2 "--set particles.spacing=1e-5" $scene --check --set particles.spacing=1e-5
@@ -77,9 +80,9 @@ bad key 2:3 'unknown key "titel"; did you mean "title"?' <<'X'
   "titel": "Dam break"
 }
 X
-bad type 2:21 'domain.max must be an array of 3 numbers, not 1' <<'X'
+bad type 2:39 'domain.max must be an array of 3 numbers, not 1' <<'X'
 {
-  "domain": {"max": 1}
+  "domain": {"min": [0, 0, 0], "max": 1}
 }
 X
 printf '\357\273\277{}' >"$work/in"

@@ -51,7 +51,8 @@ static bool unexpected(struct checker *c, const char *expected)
     if (looking_at(c, "//") || looking_at(c, "/*") || byte == '#')
         return fault(c, c->at, "JSON has no comments; remove it");
     if (byte == '\'')
-        return fault(c, c->at, "found ' where %s is expected; strings take double quotes", expected);
+        return fault(c, c->at, "found ' where %s is expected; strings take double quotes",
+                     expected);
     if (byte < 32 || byte >= 127)
         return fault(c, c->at, "found byte 0x%02x where %s is expected; remove it", byte, expected);
     return fault(c, c->at, "found '%c' where %s is expected", byte, expected);
