@@ -256,11 +256,28 @@ static void round_trips(void **state)
     scene_free(b);
 }
 
+/* Both owners of a path shape its schema; words of tables become enums. */
+static void schema_knows_options(void **state)
+{
+    (void)state;
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    scene_write_schema(&words, out);
+    fclose(out);
+    assert_non_null(strstr(text, "\"anyOf\": [{\"const\": \"auto\"}, {\"type\": \"number\", "
+                                 "\"minimum\": 0}, {\"type\": \"number\", \"minimum\": 0}]"));
+    assert_non_null(strstr(text, "\"enum\": [\"wcsph\", \"muller\", \"quantum\"]"));
+    assert_non_null(strstr(text, "an option (for drag)"));
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refuses_with_place), cmocka_unit_test(fills_defaults),
         cmocka_unit_test(keeps_options_of_the_chosen), cmocka_unit_test(applies_overrides),
-        cmocka_unit_test(refuses_overrides), cmocka_unit_test(round_trips)};
+        cmocka_unit_test(refuses_overrides), cmocka_unit_test(round_trips),
+        cmocka_unit_test(schema_knows_options)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

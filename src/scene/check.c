@@ -150,8 +150,8 @@ static enum status check_amount(struct load *load)
     if (volume / (d * d * d) > particle_limit)
         return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m "
                          "would make %.3g particles; at most %g are possible, so spacing %.3g or "
-                         "more, and %.3g would make a million", d, volume / (d * d * d), particle_limit,
-                         cbrt(volume / particle_limit), cbrt(volume / 1e6));
+                         "more, and %.3g would make a million", d, volume / (d * d * d),
+                         particle_limit, cbrt(volume / particle_limit), cbrt(volume / 1e6));
     return STATUS_OK;
 }
 
