@@ -57,13 +57,13 @@ static enum status film(const struct cli *cli, const struct scene *scene, struct
     if (cli->run.at > scene->time.end)
         return error_set(e, STATUS_USAGE, "--at %g is after the end of the scene at %g s; add "
                          "--end %g", cli->run.at, scene->time.end, cli->run.at);
-    if (run)
-        return run_scene(scene, &cli->run, e);
     if (cli->run.write_scene) {
         enum status status = scene_save(scene, &run_vocabulary, cli->run.write_scene, e);
         if (status)
             return status;
     }
+    if (run)
+        return run_scene(scene, &cli->run, e);
     if (cli->plan)
         return run_plan(scene, &cli->run, stdout, e);
     if (cli->check && !cli->quiet)
