@@ -10,22 +10,21 @@ static const double particle_limit = 2e9, frame_limit = 1e7, lattice_limit = 1 <
 
 static enum status check_domain(struct load *load)
 {
-    static const char *const axes[] = {"x", "y", "z"};
     const struct scene *s = load->scene;
     for (int a = 0; a < 3; a++) {
         double edge = s->domain.max[a] - s->domain.min[a];
         if (!(edge > 0) || !isfinite(edge))
             return load_fail(load, load_place(load, "domain.max"), "domain.max is not above "
-                             "domain.min along %s: %g and %g", axes[a], s->domain.max[a],
+                             "domain.min along %c: %g and %g", "xyz"[a], s->domain.max[a],
                              s->domain.min[a]);
         if (edge < s->particles.spacing)
             return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m "
-                             "is more than the domain's %g m along %s; make it smaller",
-                             s->particles.spacing, edge, axes[a]);
+                             "is more than the domain's %g m along %c; make it smaller",
+                             s->particles.spacing, edge, "xyz"[a]);
         if (edge / s->particles.spacing > lattice_limit)
             return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m "
-                             "is less than a millionth of the domain's %g m along %s; make it %g or "
-                             "more", s->particles.spacing, edge, axes[a], edge / lattice_limit);
+                             "is less than a millionth of the domain's %g m along %c; make it %g "
+                             "or more", s->particles.spacing, edge, "xyz"[a], edge / lattice_limit);
     }
     return STATUS_OK;
 }
@@ -93,12 +92,12 @@ static enum status check_times(struct load *load)
 {
     const struct scene *s = load->scene;
     if (s->movie.start > s->time.end)
-        return load_fail(load, load_place(load, "movie.start"), "movie.start %g s is after time.end "
-                         "%g s; the film would be empty", s->movie.start, s->time.end);
+        return load_fail(load, load_place(load, "movie.start"), "movie.start %g s is after "
+                         "time.end %g s; the film would be empty", s->movie.start, s->time.end);
     double frames = (s->time.end - s->movie.start) / s->movie.speed * s->movie.fps;
     if (frames > frame_limit)
-        return load_fail(load, load_place(load, "time.end"), "the film would have %.3g frames; lower "
-                         "time.end or movie.fps, or raise movie.speed", frames);
+        return load_fail(load, load_place(load, "time.end"), "the film would have %.3g frames; "
+                         "lower time.end or movie.fps, or raise movie.speed", frames);
     return STATUS_OK;
 }
 
@@ -137,8 +136,8 @@ static enum status check_color(struct load *load)
 {
     const double *range = load->scene->color.range;
     if (!isnan(range[0]) && range[0] >= range[1])
-        return load_fail(load, load_place(load, "color.range"), "color.range: the second value must "
-                         "be above the first");
+        return load_fail(load, load_place(load, "color.range"), "color.range: the second value "
+                         "must be above the first");
     return STATUS_OK;
 }
 
@@ -149,10 +148,10 @@ static enum status check_amount(struct load *load)
     for (size_t i = 0; i < s->body_count; i++)
         volume += body_volume(&s->bodies[i]);
     if (volume / (d * d * d) > particle_limit)
-        return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m would "
-                         "make %.3g particles; at most %g are possible, so spacing %.3g or more, "
-                         "and %.3g would make a million", d, volume / (d * d * d), particle_limit,
-                         cbrt(volume / particle_limit), cbrt(volume / 1e6));
+        return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m "
+                         "would make %.3g particles; at most %g are possible, so spacing %.3g or "
+                         "more, and %.3g would make a million", d, volume / (d * d * d),
+                         particle_limit, cbrt(volume / particle_limit), cbrt(volume / 1e6));
     return STATUS_OK;
 }
 

@@ -58,7 +58,8 @@ static void body_project(const struct scene_body *b, double slack, double p[3])
 }
 
 /* Alternating projections between convex bodies tend to a nearest pair of points (Cheney and
- * Goldstein 1959). The distance found is never too small, so bodies that touch pass. */
+ * Goldstein 1959). The distance found only shrinks and is never too small, so bodies that touch
+ * pass. */
 bool body_overlap(const struct scene_body *a, const struct scene_body *b, double slack)
 {
     double p[3], q[3], amin[3], amax[3], bmin[3], bmax[3];
@@ -69,6 +70,7 @@ bool body_overlap(const struct scene_body *a, const struct scene_body *b, double
             return false;
         p[k] = (fmax(amin[k], bmin[k]) + fmin(amax[k], bmax[k])) / 2;
     }
+    double before = INFINITY;
     for (int i = 0; i < 1000; i++) {
         double square = 0;
         body_project(a, slack / 2, p);
@@ -81,6 +83,9 @@ bool body_overlap(const struct scene_body *a, const struct scene_body *b, double
         }
         if (square < slack * slack / 100)
             return true;
+        if (square > before * (1 - 1e-6)) /* settled apart */
+            return false;
+        before = square;
     }
     return false;
 }
@@ -124,9 +129,9 @@ static enum status check_inside(struct load *load, size_t i)
             continue;
         const char *key = b->shape != BODY_BOX ? "bodies[].center" : low ? "bodies[].min"
                                                                          : "bodies[].max";
-        return load_fail(load, load_element_place(load, ARRAY_BODIES, i, key), "bodies.%zu: this %s "
-                         "reaches %c = %g m, outside the domain, which %s at %g m; move it in or "
-                         "enlarge the domain", i, shape_words[b->shape], "xyz"[a],
+        return load_fail(load, load_element_place(load, ARRAY_BODIES, i, key), "bodies.%zu: this "
+                         "%s reaches %c = %g m, outside the domain, which %s at %g m; move it in "
+                         "or enlarge the domain", i, shape_words[b->shape], "xyz"[a],
                          low ? min[a] : max[a], low ? "begins" : "ends",
                          low ? s->domain.min[a] : s->domain.max[a]);
     }

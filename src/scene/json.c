@@ -131,11 +131,11 @@ static enum status file_content(struct json *doc, FILE *file, struct error *e)
             return error_set(e, STATUS_RUN, "%s: memory is short", doc->name);
         doc->text = grown;
         length += fread(doc->text + length, 1, room - length, file);
-        if (length < room)
-            break;
         if (length > JSON_SIZE_LIMIT)
             return error_set(e, STATUS_USAGE, "%s: more than %d MiB, this is no scene file",
                              doc->name, JSON_SIZE_LIMIT >> 20);
+        if (length < room)
+            break;
         room *= 2;
     }
     if (ferror(file))

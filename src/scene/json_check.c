@@ -51,7 +51,8 @@ static bool unexpected(struct checker *c, const char *expected)
     if (looking_at(c, "//") || looking_at(c, "/*") || byte == '#')
         return fault(c, c->at, "JSON has no comments; remove it");
     if (byte == '\'')
-        return fault(c, c->at, "found ' where %s is expected; strings take double quotes", expected);
+        return fault(c, c->at, "found ' where %s is expected; strings take double quotes",
+                     expected);
     if (byte < 32 || byte >= 127)
         return fault(c, c->at, "found byte 0x%02x where %s is expected; remove it", byte, expected);
     return fault(c, c->at, "found '%c' where %s is expected", byte, expected);
@@ -208,6 +209,11 @@ static bool check_member(struct checker *c)
     return check_value(c);
 }
 
+static bool never_closed(struct checker *c, int open, char close)
+{
+    return fault(c, open, "this '%c' is never closed; add '%c'", c->text[open], close);
+}
+
 /* An object or an array, from its opening to its closing bracket. */
 static bool check_container(struct checker *c, char close)
 {
@@ -218,6 +224,8 @@ static bool check_container(struct checker *c, char close)
     bool more = peek(c) != close;
     while (more) {
         skip_space(c);
+        if (peek(c) < 0)
+            return never_closed(c, open, close);
         if (!(close == '}' ? check_member(c) : check_value(c)))
             return false;
         skip_space(c);
@@ -229,7 +237,7 @@ static bool check_container(struct checker *c, char close)
             if (peek(c) == close)
                 return fault(c, comma, "a comma before '%c'; remove it", close);
         } else if (peek(c) < 0) {
-            return fault(c, open, "this '%c' is never closed; add '%c'", c->text[open], close);
+            return never_closed(c, open, close);
         } else if (peek(c) != close) {
             return unexpected(c, close == '}' ? "',' or '}'" : "',' or ']'");
         }

@@ -37,9 +37,10 @@ struct key {
     size_t offset;        /* into struct scene, or into the element; KEY_OPTION: see scene_real */
 };
 
-/* Value kept by path: rows that belong to a variant. Not inside arrays. The key is accepted, and has
- * a value, only while its variant is the one chosen in its table; the variants of a table that no
- * scene key chooses from (forces, encoders) always take theirs. Two variants may share a path. */
+/* Value kept by path: rows that belong to a variant. Not inside arrays. The key is accepted, and
+ * has a value, only while its variant is the one chosen in its table; the variants of a table
+ * that no scene key chooses from (forces, encoders) always take theirs. Two variants may share a
+ * path. */
 #define KEY_OPTION ((size_t)-1)
 
 /* Everything a scene file may name: the tables that choices refer to and whose variants may bring

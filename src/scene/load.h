@@ -1,4 +1,4 @@
-/* A scene on its way from text to struct: which key is said where, so that every check can point. */
+/* A scene on its way from text to struct: which key is said where, so that checks can point. */
 #ifndef SCENE_LOAD_H
 #define SCENE_LOAD_H
 

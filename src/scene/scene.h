@@ -1,4 +1,4 @@
-/* A scene: what a scene file says, complete with defaults, checked, never changed after. SI units. */
+/* A scene: what a scene file says, with defaults, checked, never changed after. SI units. */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 
@@ -47,7 +47,12 @@ struct scene_body {
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
     enum key_type type;
-    union { bool flag; int64_t integer; double real; char text[KEY_TEXT_SIZE]; double vector[3]; } value;
+    union {
+        bool flag;
+        int64_t integer;
+        double real, vector[3];
+        char text[KEY_TEXT_SIZE];
+    } value;
 };
 
 struct scene {

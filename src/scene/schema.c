@@ -108,15 +108,33 @@ static bool is_number(const struct key *key)
     return key->type != KEY_CHOICE && key->type != KEY_ENUM && key->type != KEY_TEXT;
 }
 
+/* Variants may share a path: then any of their types will do. */
 static void schema_leaf(struct schema *s, size_t row)
 {
-    const struct key *key = s->keys.items[row].key;
-    bool chosen = key->flags & KEY_AUTO && is_number(key);
+    const char *path = s->keys.items[row].key->path;
+    int rows = 0, given = 0;
+    bool chosen = false; /* "auto" beside numbers; words have it in their enum */
+    for (size_t i = row; i < s->keys.count; i++) {
+        const struct key *key = s->keys.items[i].key;
+        if (strcmp(key->path, path) != 0)
+            continue;
+        rows++;
+        chosen |= key->flags & KEY_AUTO && is_number(key);
+    }
+    bool several = rows > 1 || chosen;
     fputc('{', s->out);
     schema_notes(s, row);
-    fputs(chosen ? ", \"anyOf\": [{\"const\": \"auto\"}, {" : ", ", s->out);
-    schema_type(s, key);
-    fputs(chosen ? "}]}" : "}", s->out);
+    fputs(several ? ", \"anyOf\": [" : ", ", s->out);
+    if (chosen)
+        fputs("{\"const\": \"auto\"}", s->out);
+    for (size_t i = row; i < s->keys.count; i++) {
+        if (strcmp(s->keys.items[i].key->path, path) != 0)
+            continue;
+        fputs(several ? (chosen || given++ ? ", {" : "{") : "", s->out);
+        schema_type(s, s->keys.items[i].key);
+        fputs(several ? "}" : "", s->out);
+    }
+    fputs(several ? "]}" : "}", s->out);
 }
 
 static void schema_child(struct schema *s, size_t row, enum key_place place, const char *prefix,

@@ -102,5 +102,8 @@ void value_expected(const struct key *key, char *out, size_t size)
         [KEY_SIZE] = "an array of 2 whole numbers"};
     char range[80] = "";
     range_words(key, range, sizeof range);
-    snprintf(out, size, "%s%s", names[key->type], range);
+    if (key->choices && strchr(key->choices, '|'))
+        snprintf(out, size, "one of %s", key->choices);
+    else
+        snprintf(out, size, "%s%s", names[key->type], range);
 }

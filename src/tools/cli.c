@@ -37,9 +37,13 @@ static enum status check_scene_name(const struct cli *cli, struct error *e)
 
 static enum status check_outputs(const struct cli *cli, struct error *e)
 {
-    for (size_t i = 0; i < cli->run.output_count; i++)
+    for (size_t i = 0; i < cli->run.output_count; i++) {
         if (!cli->outputs[i][0])
             return error_set(e, STATUS_USAGE, "-o: the name is empty; give for example film.mp4");
+        for (size_t j = 0; j < i; j++)
+            if (strcmp(cli->outputs[i], cli->outputs[j]) == 0)
+                return error_set(e, STATUS_USAGE, "-o %s is given twice", cli->outputs[i]);
+    }
     if (cli->run.output_count || cli->check || cli->plan || cli->run.report ||
         cli->run.write_scene)
         return STATUS_OK;

@@ -52,7 +52,7 @@ static void print_all(void)
         putchar('\n');
     }
     print_table(&tool_table);
-    printf("\nkeys: what a scene file may say; NAME[] is an array, and --set NAME.0.KEY its first element\n");
+    printf("\nkeys: what a scene file may say; NAME[] is an array, --set counts it from 0\n");
     scene_write_keys(&run_vocabulary, stdout);
 }
 

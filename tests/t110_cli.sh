@@ -1,0 +1,104 @@
+#!/bin/sh
+# Tests the command line: exit codes, messages, lists, and that nothing is written on error.
+set -u
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+n=0
+scene=scenes/dambreak.json
+
+result() { # STATUS NAME
+    n=$((n + 1))
+    [ "$1" = 0 ] && echo "ok $n - $2" && return
+    echo "not ok $n - $2"
+    sed 's/^/# /' "$work/out"
+}
+# run WANTED-CODE TEXT ARGUMENTS...: the exit code, and TEXT in what it says (literally)
+run() {
+    code=$1 text=$2
+    shift 2
+    "$SPH" "$@" >"$work/out" 2>&1
+    rc=$?
+    echo "exit code $rc, wanted $code and: $text" >>"$work/out"
+    [ "$rc" = "$code" ] && head -n -1 "$work/out" | grep -qF -e "$text"
+    result $? "sph-render $*"
+}
+
+run 0 "Usage: sph-render" --help
+run 0 "--write-scene" --help
+run 0 "sph-render list" --help
+run 0 "Exit codes" --help
+run 0 "sph-render " --version
+run 2 "no scene" 
+run 2 "did you mean the sub-command" lst
+run 2 "unknown option --colour; did you mean --color?" --colour solid $scene
+run 2 "unknown option --zzz" $scene --zzz
+run 2 "no output; add -o film.mp4" $scene
+run 2 "one scene at a time" $scene $scene --check
+run 2 "WIDTHxHEIGHT" $scene --check --size 1280
+run 2 "from 16 to 16384" $scene --check --size 4x4
+run 2 "--fps fast" $scene --check --fps fast
+run 2 "--end -1" $scene --check --end -1
+run 2 "--at soon" $scene -o null --at soon
+run 2 "add --end 99" $scene -o null --at 99
+run 2 "--threads -2" $scene --check --threads -2
+run 2 "--threads 1.5" $scene --check --threads 1.5
+run 2 "is given twice" $scene -o null -o null
+run 2 "the name is empty" $scene -o ""
+run 2 "did you mean \"wcsph\"" $scene --check --solver wscph
+run 2 "--set particles.spacing=1e-5" $scene --check --set particles.spacing=1e-5
+run 2 "2e+09 are possible" $scene --check --set particles.spacing=1e-5
+run 2 "did you mean \"time.end\"" $scene --check --set time.ned=2
+run 2 "this is a directory" scenes --check
+run 2 "No such file" "$work/none.json" --check
+run 0 "$scene: ok" $scene --check
+run 0 "ok" $scene --check --size 640x360 --fps 24 --end 1 --solver muller --color solid --threads 2
+run 0 '"end": 0.5' $scene --write-scene - --end 0.5
+run 0 '"viscosity": 0.25' $scene --write-scene - --set fluids.0.viscosity=0.25
+run 4 "cannot be written" $scene --write-scene "$work/no/such/place.json"
+run 0 "solver.method" list keys
+run 0 "additionalProperties" list keys --json-schema
+run 0 "wcsph" list solvers
+run 0 "sub-commands" list commands
+run 0 "bodies[].shape" list
+run 2 "did you mean solvers" list solver
+run 2 "is of keys" list solvers --json-schema
+run 0 "Usage: sph-render list" list --help
+
+# A message begins with the place: FILE:LINE:COLUMN.
+bad() { # NAME LINE:COLUMN TEXT; the file is on stdin
+    cat >"$work/bad.json"
+    run 2 "$work/bad.json:$2: $3" "$work/bad.json" -o "$work/film.mp4"
+}
+bad empty 1:1 "the text is empty" </dev/null
+bad comma 3:1 "found '}' where a value" <<'X'
+{
+  "title":
+}
+X
+bad key 2:3 'unknown key "titel"; did you mean "title"?' <<'X'
+{
+  "titel": "Dam break"
+}
+X
+bad type 2:39 'domain.max must be an array of 3 numbers, not 1' <<'X'
+{
+  "domain": {"min": [0, 0, 0], "max": 1}
+}
+X
+printf '\357\273\277{}' >"$work/in"
+bad bom 1:1 "the file begins with a byte order mark" <"$work/in"
+printf '{"title": "\0"}' >"$work/in"
+bad zero 1:12 "control character" <"$work/in"
+head -c 20000000 /dev/zero | tr '\0' ' ' >"$work/huge.json"
+run 2 "more than 16 MiB" "$work/huge.json" --check
+left=$(ls "$work" | grep -cv -e out -e bad.json -e huge.json -e '^in$')
+[ "$left" = 0 ]; result $? "errors leave no file behind"
+
+# The effective scene loads to itself, for every shipped scene.
+for s in scenes/*.json scenes/*/*.json; do
+    "$SPH" "$s" --write-scene "$work/a.json" >"$work/out" 2>&1 &&
+        "$SPH" "$work/a.json" --write-scene "$work/b.json" >>"$work/out" 2>&1 &&
+        cmp "$work/a.json" "$work/b.json" >>"$work/out" 2>&1
+    result $? "$s round-trips"
+done
+echo "1..$n"
