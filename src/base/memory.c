@@ -5,9 +5,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 enum {
     ALIGNMENT = 64,        /* cache line, and the widest vector */
+    HUGE_PAGE = 1 << 21,   /* bytes, on x86-64 and most others */
     ZERO_PARALLEL = 1 << 20, /* bytes; smaller blocks are not worth a parallel region */
     ZERO_CHUNK = 1 << 16     /* bytes */
 };
@@ -71,6 +73,18 @@ static void zero(char *bytes, size_t size)
     }
 }
 
+/* Large blocks ask for huge pages: neighbours lie far apart, and address translation would cost more
+ * than the data. */
+static void *block_alloc(size_t bytes)
+{
+    if (bytes < HUGE_PAGE)
+        return aligned_alloc(ALIGNMENT, bytes);
+    void *block = aligned_alloc(HUGE_PAGE, (bytes + HUGE_PAGE - 1) / HUGE_PAGE * HUGE_PAGE);
+    if (block)
+        madvise(block, bytes, MADV_HUGEPAGE);
+    return block;
+}
+
 void *memory_create(const char *label, size_t count, size_t size, struct error *e)
 {
     size_t bytes;
@@ -80,7 +94,7 @@ void *memory_create(const char *label, size_t count, size_t size, struct error *
         return NULL;
     }
     size_t rounded = (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    union header *header = aligned_alloc(ALIGNMENT, sizeof *header + rounded);
+    union header *header = block_alloc(sizeof *header + rounded);
     struct account *account = NULL;
     if (header) {
         pthread_mutex_lock(&mutex);

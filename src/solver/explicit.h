@@ -19,14 +19,16 @@ enum { FLUIDS_MAX = 16 };
 
 struct explicit_constants {
     double unit[3];           /* m per count */
-    double per_metre[3];      /* counts per m */
+    float per_metre[3];       /* counts per m */
+    uint32_t near[3];         /* 2h in counts: farther from a plane it does not matter */
     float q_per_count[3];     /* unit / h */
     uint32_t low[3], high[3]; /* closed planes, counts */
-    bool closed[6];           /* a plane stops particles there */
+    bool closed[3];           /* planes stop particles on this axis */
     bool plane[6];            /* and stands for a half space of wall */
     float restitution;
     bool no_slip;
     bool tait, clamp;         /* equation of state; negative pressure set to zero */
+    float rest_speed;         /* m/s; slower than this is at rest */
     float spacing;            /* d, m */
     float h;                  /* m */
     float number_density;     /* sigma d^3 / h^3: sum of w to V_rest sum W */
@@ -59,19 +61,24 @@ static inline void explicit_state(const struct explicit_constants *c, int fluid,
     *volume = c->mass[fluid] / density;
 }
 
-/* Bounces a coordinate (counts, before the modulo) off closed planes. */
-static inline int64_t explicit_bounce(const struct explicit_constants *c, int a, int64_t x,
-                                      float *speed)
+/* Speeds far below what a position can resolve are zero: their products would be denormal numbers,
+ * which cost a hundred cycles each and are treated differently by different hardware. */
+static inline float explicit_rest(const struct explicit_constants *c, float speed)
 {
-    int64_t low = c->low[a], high = c->high[a];
-    if (c->closed[2 * a] && x < low) {
-        x = low + (int64_t)((double)(low - x) * c->restitution);
-        *speed = fabsf(*speed) * c->restitution;
-    } else if (c->closed[2 * a + 1] && x > high) {
-        x = high - (int64_t)((double)(x - high) * c->restitution);
-        *speed = -fabsf(*speed) * c->restitution;
-    }
-    return x < low && c->closed[2 * a] ? low : x > high && c->closed[2 * a + 1] ? high : x;
+    return fabsf(speed) < c->rest_speed ? 0 : speed;
+}
+
+/* Bounces a coordinate that left the domain off the closed plane it crossed. Coordinates of closed
+ * axes are below 2^31, so that beyond the lower plane is negative. */
+static inline uint32_t explicit_bounce(const struct explicit_constants *c, int a, uint32_t x,
+                                       float *speed)
+{
+    int64_t low = c->low[a], high = c->high[a], at = (int32_t)x;
+    bool below = at < low;
+    float beyond = (float)(below ? low - at : at - high) * c->restitution;
+    *speed = (below ? 1.0f : -1.0f) * fabsf(*speed) * c->restitution;
+    at = below ? low + (int64_t)beyond : high - (int64_t)beyond;
+    return (uint32_t)(at < low ? low : at > high ? high : at);
 }
 
 /* First half of a step; returns the square of the distance moved, m^2 (INFINITY when runaway). */
@@ -87,20 +94,24 @@ static inline float explicit_predict(const struct explicit_constants *c, int flu
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing)) /* the step is rejected anyway: no overflow below */
             return INFINITY;
-        int64_t to = (int64_t)x0->count[a] + llrint((double)move * c->per_metre[a]);
-        x->count[a] = (uint32_t)explicit_bounce(c, a, to, &half);
-        v->velocity[a] = half + kick;
+        x->count[a] = x0->count[a] + (uint32_t)(int32_t)lrintf(move * c->per_metre[a]);
+        if (c->closed[a] && ((int32_t)x->count[a] < (int32_t)c->low[a] || x->count[a] > c->high[a]))
+            x->count[a] = explicit_bounce(c, a, x->count[a], &half);
+        v->velocity[a] = explicit_rest(c, half + kick);
     }
     *density = density0 + dt * rate->density;
     explicit_state(c, fluid, *density, &v->pressure, &x->volume);
     return move2;
 }
 
-static inline void explicit_correct(float dt, const struct rate *old, const struct rate *now,
+static inline void explicit_correct(const struct explicit_constants *c, float dt,
+                                    const struct rate *old, const struct rate *now,
                                     struct motion *v, float *density)
 {
-    for (int a = 0; a < 3; a++)
-        v->velocity[a] += 0.5f * dt * (now->acceleration[a] - old->acceleration[a]);
+    for (int a = 0; a < 3; a++) {
+        float change = 0.5f * dt * (now->acceleration[a] - old->acceleration[a]);
+        v->velocity[a] = explicit_rest(c, v->velocity[a] + change);
+    }
     *density += 0.5f * dt * (now->density - old->density);
 }
 
@@ -113,16 +124,13 @@ static inline float plane_value(const float *table, float q)
     return table[k] * (1 - f) + table[k + 1] * f;
 }
 
-/* Distance to a closed face in smoothing lengths; 2 or more when it does not matter. */
-static inline float plane_distance(const struct explicit_constants *c, int face,
-                                   const struct position *x)
+/* Distance to a face in counts; far away for a face that is no plane. */
+static inline uint32_t plane_counts(const struct explicit_constants *c, int face,
+                                    const struct position *x)
 {
-    int a = face / 2;
-    if (!c->plane[face])
-        return 2;
-    int32_t count = (int32_t)(face & 1 ? c->high[a] - x->count[a] : x->count[a] - c->low[a]);
-    float q = (float)count * c->q_per_count[a];
-    return q < 0 ? 0 : q;
+    uint32_t count = face & 1 ? c->high[face / 2] - x->count[face / 2]
+                              : x->count[face / 2] - c->low[face / 2];
+    return c->plane[face] ? count : UINT32_MAX;
 }
 
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
@@ -134,10 +142,11 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   struct rate *rate)
 {
     for (int face = 0; face < 6; face++) {
-        float q = plane_distance(c, face, x);
-        if (q >= 2)
-            continue;
         int n = face / 2;
+        uint32_t count = plane_counts(c, face, x);
+        if (count >= c->near[n])
+            continue;
+        float q = (float)count * c->q_per_count[n];
         float inward = face & 1 ? -1.0f : 1.0f, near = 0.5f * c->spacing / c->h;
         float lever = 1 / (q > near ? q : near), area = plane_value(c->planes.area, q) / c->h;
         float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
@@ -159,8 +168,9 @@ static inline float explicit_summed_density(const struct explicit_constants *c, 
 {
     float sum = c->number_density * number;
     for (int face = 0; face < 6; face++) {
-        float q = plane_distance(c, face, x);
-        sum += q < 2 ? plane_value(c->planes.volume, q) : 0;
+        uint32_t count = plane_counts(c, face, x);
+        if (count < c->near[face / 2])
+            sum += plane_value(c->planes.volume, (float)count * c->q_per_count[face / 2]);
     }
     return c->mass[fluid] * sum;
 }

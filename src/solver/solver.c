@@ -82,7 +82,7 @@ static void choose_walls(const struct scene *scene, const struct space *space,
     struct explicit_constants *each = &choice->each;
     for (int f = 0; f < FACE_COUNT; f++) {
         enum wall_kind kind = scene->domain.walls[f];
-        each->closed[f] = kind != WALL_PERIODIC;
+        each->closed[f / 2] = kind != WALL_PERIODIC;
         each->plane[f] = kind == WALL_CLOSED;
         choice->wall_planes = choice->wall_planes || kind == WALL_CLOSED;
         choice->wall_particles = choice->wall_particles || kind == WALL_PARTICLES;
@@ -130,7 +130,8 @@ static void choose_scales(const struct scene *scene, const struct space *space,
         choice->pair.gravity[a] = (float)scene->gravity[a];
         choice->pair.head[a] = (float)(scene->gravity[a] * h);
         choice->each.unit[a] = space->unit[a];
-        choice->each.per_metre[a] = 1 / space->unit[a];
+        choice->each.per_metre[a] = (float)(1 / space->unit[a]);
+        choice->each.near[a] = (uint32_t)(2 * h / space->unit[a] * (1 - 1e-6));
         choice->each.q_per_count[a] = (float)(space->unit[a] / h);
     }
     choice->each.spacing = (float)d;
@@ -158,4 +159,5 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     choice->limits.force = 0.25;
     choice->limits.user = isnan(scene->time.step) ? INFINITY : scene->time.step;
     solver->choose(scene, choice);
+    choice->each.rest_speed = (float)(1e-12 * choice->sound_speed);
 }

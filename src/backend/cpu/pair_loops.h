@@ -6,6 +6,8 @@
 
 #include "solver/pair.h"
 
+#include <math.h>
+
 /* The flags are constants only in an inlined copy. */
 #define FORCE_INLINE static inline __attribute__((always_inline))
 
@@ -134,6 +136,12 @@ FORCE_INLINE struct lane_neighbour neighbour_load(const struct pair_work *w,
     return n;
 }
 
+/* A sum of rounding errors only; kept, its products would be denormal, and slow. */
+static inline float settled(float sum)
+{
+    return fabsf(sum) < 1e-20f ? 0 : sum;
+}
+
 /* dv/dt = g + gradient/rho_i sums; drho/dt = gradient (rho_i divergence + diffusion). */
 static inline void rate_store(const struct pair_work *w, size_t i, const struct pair_sums *s)
 {
@@ -148,8 +156,8 @@ static inline void rate_store(const struct pair_work *w, size_t i, const struct 
         struct rate *rate = &w->rate[i + l];
         float density = w->density[i + l], front = c->gradient / density;
         for (int a = 0; a < 3; a++)
-            rate->acceleration[a] = c->gravity[a] + front * sum[a][l];
-        rate->density = c->gradient * (density * sum[3][l] + c->diffusion * sum[4][l]);
+            rate->acceleration[a] = c->gravity[a] + front * settled(sum[a][l]);
+        rate->density = c->gradient * (density * settled(sum[3][l]) + c->diffusion * settled(sum[4][l]));
     }
 }
 

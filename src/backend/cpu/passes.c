@@ -68,13 +68,14 @@ void cpu_correct(struct backend *b, struct step *step)
         struct extremes own = extremes_none();
 #pragma omp for schedule(static)
         for (size_t i = 0; i < p->count; i++) {
-            explicit_correct(step->dt, &old[i], &rate[i], &motion[i], &density[i]);
+            explicit_correct(&b->choice.each, step->dt, &old[i], &rate[i], &motion[i], &density[i]);
             float v2 = square(motion[i].velocity), a2 = square(rate[i].acceleration);
             float ratio = density[i] / rest[particles_fluid(p, i)];
-            struct extremes one = {v2, a2, 0, ratio, UINT32_MAX};
+            own.speed2 = v2 > own.speed2 ? v2 : own.speed2;
+            own.acceleration2 = a2 > own.acceleration2 ? a2 : own.acceleration2;
+            own.low_density = ratio < own.low_density ? ratio : own.low_density;
             if (!(v2 < FLT_MAX) || !(a2 < FLT_MAX) || !(ratio > 0.05f && ratio < 20))
-                one.bad = particles_id(p)[i];
-            extremes_merge(&own, &one);
+                own.bad = particles_id(p)[i] < own.bad ? particles_id(p)[i] : own.bad;
         }
 #pragma omp critical
         extremes_merge(&all, &own);
