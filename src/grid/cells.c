@@ -97,13 +97,6 @@ static void sort_cell(uint32_t *order, size_t n, const uint32_t *id)
     }
 }
 
-static uint32_t cell_of(const struct cells *cells, const struct position *p)
-{
-    uint32_t x = cells_axis(cells, 0, p->count[0]), y = cells_axis(cells, 1, p->count[1]);
-    uint32_t z = cells_axis(cells, 2, p->count[2]);
-    return (z * cells->size[1] + y) * cells->size[0] + x;
-}
-
 enum status cells_sort(struct cells *cells, const struct position *position, const uint32_t *id,
                        size_t count, uint32_t *order, uint32_t *scratch, struct error *e)
 {
@@ -121,7 +114,7 @@ enum status cells_sort(struct cells *cells, const struct position *position, con
         start[c] = 0;
 #pragma omp parallel for
     for (size_t i = 0; i < count; i++) {
-        scratch[i] = cell_of(cells, &position[i]);
+        scratch[i] = cells_index(cells, position[i].count);
         __atomic_fetch_add(&next[scratch[i]], 1, __ATOMIC_RELAXED);
     }
     scan(next, cells->count);

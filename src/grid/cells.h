@@ -35,6 +35,13 @@ static inline uint32_t cells_axis(const struct cells *cells, int axis, uint32_t 
     return c < cells->size[axis] ? c : cells->size[axis] - 1;
 }
 
+/* The cell of a point. */
+static inline uint32_t cells_index(const struct cells *cells, const uint32_t point[3])
+{
+    uint32_t x = cells_axis(cells, 0, point[0]), y = cells_axis(cells, 1, point[1]);
+    return (cells_axis(cells, 2, point[2]) * cells->size[1] + y) * cells->size[0] + x;
+}
+
 /* Half-open range of particle indices. */
 struct range {
     uint32_t first, last;

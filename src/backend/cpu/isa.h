@@ -10,7 +10,8 @@
 #include <stdbool.h>
 
 /* Neighbour rows of one block of 16 particles: entry k of lane l is index[16 k + l]; lanes with
- * fewer than `length` neighbours repeat the particle itself. */
+ * fewer than `length` neighbours repeat the particle itself. An entry is twice the neighbour's
+ * index, which times 8 is the address of its 16-byte record in one addressing mode. */
 struct row_block {
     uint32_t *index;
     uint32_t length;
@@ -62,9 +63,9 @@ enum pair_pass { PAIR_PASS_DENSITY, PAIR_PASS_FORCE };
 struct isa_row {
     struct variant variant;
     bool (*supported)(void);
-    /* Lists of the particles of `block`; scratch->room must hold all their candidates + 16. */
-    void (*build)(const struct row_build *work, size_t block, struct row_scratch *scratch);
-    /* Turns 16 lists of `length` (a multiple of 4) entries into rows[k][16]. */
+    /* Lists of the particles of `block`; returns 0, or the room that the lists need. */
+    size_t (*build)(const struct row_build *work, size_t block, struct row_scratch *scratch);
+    /* Turns 16 lists into rows[k][16], k up to `length` rounded up to 4. */
     void (*interleave)(const struct row_scratch *scratch, uint32_t length, uint32_t *rows);
     pair_function *(*find)(enum pair_pass pass, unsigned flags, bool walls);
     /* Seconds-free peak probe: `rounds` dependent chains of FMA in all lanes; returns the FLOPs. */

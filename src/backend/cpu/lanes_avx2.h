@@ -2,6 +2,8 @@
 #ifndef BACKEND_CPU_LANES_AVX2_H
 #define BACKEND_CPU_LANES_AVX2_H
 
+#include "backend/cpu/rows_x86.h"
+
 #include <immintrin.h>
 #include <stdint.h>
 
@@ -51,8 +53,8 @@ static inline __attribute__((always_inline)) void records_load(const void *recor
     __m256 row[4];
     for (int k = 0; k < 4; k++)
         row[k] = _mm256_insertf128_ps(
-            _mm256_castps128_ps256(_mm_load_ps(r + 4 * (size_t)index[k])),
-            _mm_load_ps(r + 4 * (size_t)index[k + 4]), 1);
+            _mm256_castps128_ps256(_mm_load_ps(r + 2 * (size_t)index[k])),
+            _mm_load_ps(r + 2 * (size_t)index[k + 4]), 1);
     __m256 a = _mm256_unpacklo_ps(row[0], row[1]), b = _mm256_unpackhi_ps(row[0], row[1]);
     __m256 c = _mm256_unpacklo_ps(row[2], row[3]), d = _mm256_unpackhi_ps(row[2], row[3]);
     out[0] = _mm256_shuffle_ps(a, c, 0x44);
@@ -62,7 +64,7 @@ static inline __attribute__((always_inline)) void records_load(const void *recor
 }
 static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
-    return _mm256_i32gather_ps(values, _mm256_loadu_si256((const __m256i *)index), 4);
+    return _mm256_i32gather_ps(values, _mm256_loadu_si256((const __m256i *)index), 2);
 }
 
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
@@ -84,7 +86,7 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
         if (self - j < LANES)
             near &= ~(1u << (self - j));
         for (; near; near &= near - 1)
-            *out++ = j + (uint32_t)__builtin_ctz(near);
+            *out++ = 2 * (j + (uint32_t)__builtin_ctz(near));
     }
     return out;
 }

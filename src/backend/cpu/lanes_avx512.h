@@ -2,6 +2,8 @@
 #ifndef BACKEND_CPU_LANES_AVX512_H
 #define BACKEND_CPU_LANES_AVX512_H
 
+#include "backend/cpu/rows_x86.h"
+
 #include <immintrin.h>
 #include <stdint.h>
 
@@ -47,10 +49,10 @@ static inline __attribute__((always_inline)) real real_below(uint32_t k, const u
 
 static inline __attribute__((always_inline)) __m512 records_row(const float *r, const uint32_t *index)
 {
-    __m512 row = _mm512_castps128_ps512(_mm_load_ps(r + 4 * (size_t)index[0]));
-    row = _mm512_insertf32x4(row, _mm_load_ps(r + 4 * (size_t)index[4]), 1);
-    row = _mm512_insertf32x4(row, _mm_load_ps(r + 4 * (size_t)index[8]), 2);
-    return _mm512_insertf32x4(row, _mm_load_ps(r + 4 * (size_t)index[12]), 3);
+    __m512 row = _mm512_castps128_ps512(_mm_load_ps(r + 2 * (size_t)index[0]));
+    row = _mm512_insertf32x4(row, _mm_load_ps(r + 2 * (size_t)index[4]), 1);
+    row = _mm512_insertf32x4(row, _mm_load_ps(r + 2 * (size_t)index[8]), 2);
+    return _mm512_insertf32x4(row, _mm_load_ps(r + 2 * (size_t)index[12]), 3);
 }
 static inline __attribute__((always_inline)) void records_load(const void *records, const uint32_t *index, real out[4])
 {
@@ -66,7 +68,7 @@ static inline __attribute__((always_inline)) void records_load(const void *recor
 }
 static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
-    return _mm512_i32gather_ps(_mm512_loadu_si512(index), values, 4);
+    return _mm512_i32gather_ps(_mm512_loadu_si512(index), values, 2);
 }
 
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
@@ -92,7 +94,7 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
         __mmask16 near = _mm512_cmp_ps_mask(q2, most, _CMP_LT_OQ);
         near = _mm512_mask_cmplt_epu32_mask(near, index, end);
         near = _mm512_mask_cmpneq_epi32_mask(near, index, own);
-        _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(near, index));
+        _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(near, _mm512_add_epi32(index, index)));
         out += __builtin_popcount(near);
     }
     return out;

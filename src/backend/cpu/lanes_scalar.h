@@ -52,17 +52,17 @@ static inline __attribute__((always_inline)) real real_below(uint32_t k, const u
 {
     return k < *count ? x : y;
 }
-/* The four words of the records at LANES indices. */
+/* The four words of the records at LANES row entries. */
 static inline __attribute__((always_inline)) void records_load(const void *records, const uint32_t *index, real out[4])
 {
-    memcpy(out, (const char *)records + 16 * (size_t)*index, 16);
+    memcpy(out, (const char *)records + 8 * (size_t)*index, 16);
 }
 static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
-    return values[*index];
+    return values[*index / 2];
 }
 
-/* Appends to `out` the candidates first..last-1 within sqrt(limit) of `point`, leaving out `self`;
+/* Appends to `out` the row entries of the candidates first..last-1 within sqrt(limit) of `point`, leaving out `self`;
  * coordinates are by axis; returns the new length. */
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
                                     const uint32_t point[3], const float scale[3], float limit,
@@ -72,10 +72,19 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
         float x = (float)(int32_t)(point[0] - axis[0][j]) * scale[0];
         float y = (float)(int32_t)(point[1] - axis[1][j]) * scale[1];
         float z = (float)(int32_t)(point[2] - axis[2][j]) * scale[2];
-        *out = j;
+        *out = 2 * j;
         out += fmaf(z, z, fmaf(y, y, x * x)) < limit && j != self;
     }
     return out;
+}
+
+/* out[16 k + l] = list[l room + k] for k, l below 4. */
+static inline __attribute__((always_inline)) void rows_transpose(const uint32_t *list, size_t room,
+                                                                 uint32_t *out)
+{
+    for (size_t k = 0; k < 4; k++)
+        for (size_t l = 0; l < 4; l++)
+            out[16 * k + l] = list[l * room + k];
 }
 
 #endif

@@ -40,8 +40,9 @@ FORCE_INLINE struct pair pair_between(const struct lane_point *i, const real oth
     return p;
 }
 
-static const uint32_t lane_ramp[PARTICLE_BLOCK] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                   8, 9, 10, 11, 12, 13, 14, 15};
+/* Row entries of consecutive particles. */
+static const uint32_t lane_ramp[PARTICLE_BLOCK] = {0,  2,  4,  6,  8,  10, 12, 14,
+                                                   16, 18, 20, 22, 24, 26, 28, 30};
 
 static inline uint32_t longest(const uint32_t *count)
 {
@@ -244,34 +245,56 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     return walls ? force_walls_table[flags] : force_table[flags];
 }
 
-static void loops_build(const struct row_build *b, size_t block, struct row_scratch *scratch)
+/* Candidates of the cell that the last particle was in; the next one is often in it too. */
+struct candidates {
+    struct range range[RANGES_MAX];
+    int ranges;
+    size_t sum;
+    uint32_t cell;
+};
+
+static void candidates_find(const struct row_build *b, const uint32_t point[3],
+                            struct candidates *c)
 {
+    uint32_t cell = cells_index(b->cells, point);
+    if (cell == c->cell)
+        return;
+    c->cell = cell;
+    c->ranges = b->search->ranges(b->cells, point, b->candidate_count, c->range);
+    c->sum = 0;
+    for (int r = 0; r < c->ranges; r++)
+        c->sum += c->range[r].last - c->range[r].first;
+}
+
+static size_t loops_build(const struct row_build *b, size_t block, struct row_scratch *scratch)
+{
+    struct candidates near = {.cell = UINT32_MAX};
+    struct row_build work = *b; /* a copy that no store can alias */
     for (size_t l = 0; l < PARTICLE_BLOCK; l++) {
         size_t i = block * PARTICLE_BLOCK + l;
         uint32_t *list = scratch->list + l * scratch->room, *end = list;
-        struct range ranges[RANGES_MAX];
         scratch->count[l] = 0;
-        if (i >= b->point_count)
+        if (i >= work.point_count)
             continue;
-        const uint32_t *point = b->points[i].count;
-        int n = b->search->ranges(b->cells, point, b->candidate_count, ranges);
-        for (int r = 0; r < n; r++)
-            end = rows_append(end, b->axis, point, b->scale, b->limit, ranges[r].first,
-                              ranges[r].last, b->same ? (uint32_t)i : UINT32_MAX);
+        const uint32_t *point = work.points[i].count;
+        candidates_find(&work, point, &near);
+        if (near.sum + PARTICLE_BLOCK > scratch->room)
+            return near.sum + PARTICLE_BLOCK;
+        for (int r = 0; r < near.ranges; r++)
+            end = rows_append(end, work.axis, point, work.scale, work.limit, near.range[r].first,
+                              near.range[r].last, work.same ? (uint32_t)i : UINT32_MAX);
         scratch->count[l] = (uint32_t)(end - list);
     }
+    return 0;
 }
 
-/* Four lists at a time, four entries at a time: a 4 x 4 transpose that compilers vectorise. */
+/* Four lists at a time, four entries at a time. */
 static void loops_interleave(const struct row_scratch *scratch, uint32_t length, uint32_t *rows)
 {
     for (size_t l = 0; l < PARTICLE_BLOCK; l += 4) {
-        const uint32_t *a = scratch->list + l * scratch->room, *b = a + scratch->room;
-        const uint32_t *c = b + scratch->room, *d = c + scratch->room;
-        for (uint32_t k = 0; k < length; k++) {
-            uint32_t *out = rows + (size_t)k * PARTICLE_BLOCK + l;
-            out[0] = a[k], out[1] = b[k], out[2] = c[k], out[3] = d[k];
-        }
+        const uint32_t *list = scratch->list + l * scratch->room;
+        for (uint32_t k = 0; k < length; k += 4)
+            rows_transpose(list + k, scratch->room, rows + (size_t)k * PARTICLE_BLOCK + l);
     }
 }
 

@@ -56,26 +56,11 @@ static uint32_t *arena_take(struct rows_arena *arena, size_t entries)
     return taken;
 }
 
-static enum status scratch_reserve(struct rows_arena *arena, const struct row_build *work,
-                                   size_t block)
+static enum status scratch_reserve(struct rows_arena *arena, size_t needed)
 {
     struct row_scratch *scratch = &arena->scratch;
-    size_t most = 0;
-    for (size_t l = 0; l < PARTICLE_BLOCK; l++) {
-        size_t i = block * PARTICLE_BLOCK + l, sum = 0;
-        struct range ranges[RANGES_MAX];
-        if (i >= work->point_count)
-            break;
-        int n = work->search->ranges(work->cells, work->points[i].count, work->candidate_count,
-                                     ranges);
-        for (int r = 0; r < n; r++)
-            sum += ranges[r].last - ranges[r].first;
-        most = sum > most ? sum : most;
-    }
-    if (most + PARTICLE_BLOCK <= scratch->room)
-        return STATUS_OK;
     memory_free(scratch->list);
-    scratch->room = (most + most / 2 + 2 * PARTICLE_BLOCK) & ~(size_t)3;
+    scratch->room = (needed + needed / 2 + 2 * PARTICLE_BLOCK) & ~(size_t)3;
     scratch->list = memory_create("neighbour rows", PARTICLE_BLOCK * scratch->room,
                                   sizeof(uint32_t), &arena->error);
     if (!scratch->list)
@@ -89,19 +74,20 @@ static enum status build_block(struct rows *rows, struct rows_arena *arena,
 {
     struct row_scratch *scratch = &arena->scratch;
     uint32_t length = 0;
-    if (scratch_reserve(arena, work, block))
-        return arena->error.status;
-    isa->build(work, block, scratch);
+    for (size_t needed; (needed = isa->build(work, block, scratch)) > 0;)
+        if (scratch_reserve(arena, needed))
+            return arena->error.status;
     for (int l = 0; l < PARTICLE_BLOCK; l++)
         length = scratch->count[l] > length ? scratch->count[l] : length;
     for (size_t l = 0; l < PARTICLE_BLOCK; l++) {
-        uint32_t self = pad_self ? (uint32_t)(block * PARTICLE_BLOCK + l) : 0;
+        uint32_t self = pad_self ? 2 * (uint32_t)(block * PARTICLE_BLOCK + l) : 0;
         uint32_t *list = scratch->list + l * scratch->room;
         for (uint32_t k = scratch->count[l]; k < length; k++)
             list[k] = self;
         arena->entries += scratch->count[l];
     }
-    uint32_t *taken = arena_take(arena, (size_t)length * PARTICLE_BLOCK);
+    size_t whole = (length + 3) & ~3u; /* interleave works on four entries at a time */
+    uint32_t *taken = arena_take(arena, whole * PARTICLE_BLOCK);
     if (!taken)
         return error_set(&arena->error, STATUS_RUN, "out of memory for neighbour rows");
     isa->interleave(scratch, length, taken);
