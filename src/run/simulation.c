@@ -37,15 +37,15 @@ static double reach(const struct simulation *s, double dt)
 }
 
 /* Sorts and builds rows when this step could carry a particle out of its row's reach. The skin of
- * the rows balances fewer builds against longer rows: with u = 2 move / support, the cost
- * (1 + s)^3 (1 + u/s) is least near s = sqrt(u/3). */
+ * the rows balances fewer builds against longer rows: with u = 2 move / support, and a build twice
+ * the cost of a pass, the cost (1 + s)^3 (1 + 2 u/s) is least near s = sqrt(2 u/3). */
 static enum status keep_rows(struct simulation *s, double dt, struct error *e)
 {
     double support = s->plan->choice.support, move = reach(s, dt);
     if (s->stats.sorts > 0 && s->moved + move <= s->allowance)
         return STATUS_OK;
     double soon = dt * (sqrt(s->extremes.speed2) + 4 * dt * sqrt(s->extremes.acceleration2));
-    double skin = sqrt(2 * soon / support / 3), given = s->plan->scene->solver.skin;
+    double skin = sqrt(4 * soon / support / 3), given = s->plan->scene->solver.skin;
     skin = isnan(given) ? skin : given;
     skin = fmax(skin, fmax(0.01, 2.02 * move / support));
     skin = fmin(skin, SKIN_MAX);
