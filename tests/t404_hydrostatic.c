@@ -1,16 +1,17 @@
 /* Tests a settled tank: the slope of pressure over depth is rho g, the volume is right, it is calm. */
 #include "world.h"
 
-/* Fluid at rest from a jittered lattice in a closed tank, depth 0.4 m = 16 spacings. */
+/* Syrup from a jittered lattice without pressure, in a closed tank, depth 0.4 m = 16 spacings: as
+ * thick as that, the sound of its first fall (period 4 H/c0 = 0.08 s) dies out in 0.4 s. */
 static void settle(struct world *w, const char *walls, const char *solver)
 {
     world_open(w, "{\"gravity\": [0, -9.81, 0], \"particles\": {\"spacing\": 0.025},\n"
                   "\"domain\": {\"min\": [0, 0, 0], \"max\": [0.3, 0.6, 0.3], \"walls\": %s},\n"
-                  "\"fluids\": [{\"density\": 900, \"viscosity\": 2}],\n"
+                  "\"fluids\": [{\"density\": 900, \"viscosity\": 200}],\n"
                   "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.3, 0.4, 0.3], "
                   "\"jitter\": 0.05}],\n"
                   "\"solver\": {%s}, \"time\": {\"end\": 9}}", walls, solver);
-    world_advance(w, 1.2);
+    world_advance(w, 0.4);
 }
 
 /* Least squares of p = a + b depth over particles at least a support from floor and surface. */
@@ -42,18 +43,18 @@ static void check(const char *walls, const char *solver, double slope_most, doub
     struct world w;
     settle(&w, walls, solver);
     double sum = 0;
-    int samples = 8; /* over the last of the sloshing */
+    int samples = 8; /* over a period of the sound */
     for (int k = 1; k <= samples; k++) {
-        world_advance(&w, 1.2 + 0.01 * k);
+        world_advance(&w, 0.4 + 0.01 * k);
         sum += slope(&w) / samples;
     }
     double error = sum / (900 * 9.81) - 1, rise = height(&w) / 0.4 - 1;
     double speed = sqrt(w.simulation.extremes.speed2) / sqrt(9.81 * 0.4);
-    print_message("# walls %s, {%s}: slope %+.2f %%, height %+.2f %%, largest speed %.4f sqrt(g H)\n",
+    print_message("# walls %s, {%s}: slope %+.2f %%, height %+.2f %%, largest speed %.1e sqrt(g H)\n",
                   walls, solver, 100 * error, 100 * rise, speed);
     assert_true(fabs(error) < slope_most);
     assert_true(fabs(rise) < height_most);
-    assert_true(speed < 0.05);
+    assert_true(speed < 0.01);
     world_close(&w);
 }
 
@@ -62,22 +63,22 @@ static void check(const char *walls, const char *solver, double slope_most, doub
 static void continuity(void **state)
 {
     (void)state;
-    check("\"closed\"", C0, 0.02, 0.02);
+    check("\"closed\"", C0, 0.06, 0.02);
 }
 static void summation(void **state)
 {
     (void)state;
-    check("\"closed\"", C0 ", \"density\": \"summation\"", 0.02, 0.03);
+    check("\"closed\"", C0 ", \"density\": \"summation\"", 0.06, 0.02);
 }
 static void wall_particles(void **state)
 {
     (void)state;
-    check("\"particles\"", C0, 0.02, 0.03);
+    check("\"particles\"", C0, 0.06, 0.02);
 }
 static void muller(void **state)
 {
     (void)state;
-    check("\"closed\"", "\"method\": \"muller\", \"stiffness\": 400", 0.03, 0.05);
+    check("\"closed\"", "\"method\": \"muller\", \"stiffness\": 400", 0.12, 0.02);
 }
 
 int main(void)
