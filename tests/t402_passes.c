@@ -1,5 +1,5 @@
-/* Tests every pair pass of every instruction set: bit for bit against the scalar one, and the scalar
- * one against plain sums in double precision over all pairs. */
+/* Tests every pair pass of every instruction set, bit for bit against the scalar one, and that one
+ * against plain sums in double precision over all pairs. */
 #include "pairs_reference.h"
 
 #include <omp.h>

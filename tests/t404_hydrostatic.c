@@ -1,4 +1,4 @@
-/* Tests a settled tank: the slope of pressure over depth is rho g, the volume is right, it is calm. */
+/* Tests a settled tank: pressure rises by rho g with depth, the volume is right, it is calm. */
 #include "world.h"
 
 /* Syrup from a jittered lattice without pressure, in a closed tank, depth 0.4 m = 16 spacings: as

@@ -125,8 +125,8 @@ static inline float plane_distance(const struct explicit_constants *c, int face,
     return q < 0 ? 0 : q;
 }
 
-/* The part of the support that lies between the closed planes of each axis. Half spaces of different
- * axes overlap at edges and corners: what is open to the fluid is nearly the product (exactly, for a
+/* The part of the support that lies between the closed planes of each axis. Half spaces of two axes
+ * overlap at edges and corners: what is open to the fluid is nearly the product (exactly, for a
  * separable kernel), so a face counts only for the part that is open along the other axes. */
 static inline void explicit_open(const struct explicit_constants *c, const struct position *x,
                                  float open[3])
@@ -157,7 +157,8 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         int n = face / 2;
         float part = open[(n + 1) % 3] * open[(n + 2) % 3];
         float inward = face & 1 ? -1.0f : 1.0f, near = 0.5f * c->spacing / c->h;
-        float lever = 1 / (q > near ? q : near), area = part * plane_value(c->planes.area, q) / c->h;
+        float lever = 1 / (q > near ? q : near);
+        float area = part * plane_value(c->planes.area, q) / c->h;
         float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
         float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
         rate->acceleration[n] += inward * p * area / density;
