@@ -1,14 +1,11 @@
-/* A small vocabulary for tests of scenes, and a scene file from text. */
+/* A small vocabulary for tests of scenes. */
 #ifndef TESTS_SCENE_WORDS_H
 #define TESTS_SCENE_WORDS_H
 
-#include "scene/scene.h"
+#include "scene_file.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #define OPTION(path, type, flags, fallback, min, max, choices) \
     {path, type, flags, fallback, min, max, "", choices, "an option", KEY_OPTION}
@@ -45,19 +42,11 @@ static const struct vocabulary words = {word_tables, 2};
 #define SCENE_END " \"time\": {\"end\": 1}}\n"
 #define SCENE_PLAIN SCENE_HEAD SCENE_FLUID SCENE_END
 
-/* Loads a scene from text by way of a file called "scene.json" in messages' eyes. */
+/* Loads a scene of these words from text. */
 static inline enum status load_text(struct scene **scene, const char *text, size_t length,
                                     const struct scene_overrides *set, struct error *e)
 {
-    char path[] = "/tmp/sph-scene-XXXXXX";
-    int file = mkstemp(path);
-    *scene = NULL;
-    if (file < 0 || write(file, text, length) != (ssize_t)length)
-        return error_set(e, STATUS_RUN, "no temporary file");
-    close(file);
-    enum status status = scene_load(scene, path, set, &words, e);
-    unlink(path);
-    return status;
+    return scene_from_text(scene, text, length, set, &words, e);
 }
 
 #endif

@@ -1,17 +1,8 @@
 #!/bin/sh
 # Tests the command line: exit codes, messages, lists, and that nothing is written on error.
-set -u
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-n=0
+. tests/tap.sh
 scene=scenes/dambreak.json
 
-result() { # STATUS NAME
-    n=$((n + 1))
-    [ "$1" = 0 ] && echo "ok $n - $2" && return
-    echo "not ok $n - $2"
-    sed 's/^/# /' "$work/out"
-}
 # run WANTED-CODE TEXT ARGUMENTS...: the exit code, and TEXT in what it says (literally)
 run() {
     code=$1 text=$2

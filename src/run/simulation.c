@@ -100,7 +100,8 @@ static enum status try_step(struct simulation *s, double dt, uint32_t *bad, stru
 }
 
 /* What stopped the run, in terms of the scene. */
-static enum status give_up(struct simulation *s, double dt, uint32_t bad, struct error *e)
+static enum status give_up(struct simulation *s, double dt, int halvings, uint32_t bad,
+                           struct error *e)
 {
     const struct particles *p = s->row->state(s->backend);
     const struct space *space = &s->plan->space;
@@ -130,7 +131,7 @@ static enum status give_up(struct simulation *s, double dt, uint32_t bad, struct
                      "(now %.3g s); cause: %s; %s. Frames up to now are kept",
                      s->time, bad, space_metres(space, 0, x->count[0]),
                      space_metres(space, 1, x->count[1]), space_metres(space, 2, x->count[2]),
-                     speed, force, HALVINGS_MAX, dt, cause, change);
+                     speed, force, halvings, dt, cause, change);
 }
 
 enum status simulation_step(struct simulation *s, double target, struct error *e)
@@ -152,8 +153,8 @@ enum status simulation_step(struct simulation *s, double target, struct error *e
             return STATUS_OK;
         }
         log_detail("t = %.6g s: step of %.3g s rejected (particle %u)", s->time, dt, bad);
-        if (halvings == HALVINGS_MAX)
-            return give_up(s, dt, bad, e);
+        if (halvings == HALVINGS_MAX || dt < s->least_dt)
+            return give_up(s, dt, halvings, bad, e);
         most = dt / 2;
     }
     return STATUS_OK;
@@ -198,6 +199,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
     s->extremes = step.extremes;
     s->last_dt = INFINITY;
     s->last_dt = natural_step(s);
+    s->least_dt = 1e-6 * s->last_dt;
     s->allowance = 0; /* rows for the first real step */
     return STATUS_OK;
 failed:

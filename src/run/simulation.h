@@ -10,6 +10,7 @@ struct simulation {
     struct backend *backend;
     double time;              /* s, of the present state */
     double last_dt;           /* natural limit of the last step, s */
+    double least_dt;          /* a rejected step below this ends the run, s */
     struct extremes extremes; /* of the present state */
     double moved, allowance;  /* m since the last sort, and at most */
     struct {

@@ -133,6 +133,26 @@ static inline uint32_t plane_counts(const struct explicit_constants *c, int face
     return c->plane[face] ? count : UINT32_MAX;
 }
 
+/* The part of the support that lies between the closed planes of each axis. Half spaces of two axes
+ * overlap at edges and corners: what is open to the fluid is nearly the product (exactly, for a
+ * separable kernel), so a face counts only for the part that is open along the other axes. Returns
+ * whether any plane is near. */
+static inline bool explicit_open(const struct explicit_constants *c, const struct position *x,
+                                 float open[3])
+{
+    for (int a = 0; a < 3; a++)
+        open[a] = 1;
+    bool near = false;
+    for (int face = 0; face < 6; face++) {
+        uint32_t count = plane_counts(c, face, x);
+        if (count >= c->near[face / 2])
+            continue;
+        open[face / 2] -= plane_value(c->planes.volume, (float)count * c->q_per_count[face / 2]);
+        near = true;
+    }
+    return near;
+}
+
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
  * pressure (never sucks); its velocity continues the particle's linearly through zero at the plane,
  * in the normal direction always, along the plane only with no_slip, so that a linear profile has
@@ -141,22 +161,27 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   const struct position *x, const struct motion *v, float density,
                                   struct rate *rate)
 {
+    float open[3];
+    if (!explicit_open(c, x, open))
+        return;
     for (int face = 0; face < 6; face++) {
         int n = face / 2;
         uint32_t count = plane_counts(c, face, x);
         if (count >= c->near[n])
             continue;
         float q = (float)count * c->q_per_count[n];
+        float part = open[(n + 1) % 3] * open[(n + 2) % 3];
         float inward = face & 1 ? -1.0f : 1.0f, near = 0.5f * c->spacing / c->h;
-        float lever = 1 / (q > near ? q : near), area = plane_value(c->planes.area, q) / c->h;
+        float lever = 1 / (q > near ? q : near);
+        float area = part * plane_value(c->planes.area, q) / c->h;
         float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
-        float closing = plane_value(c->planes.volume, q) * lever / c->h + area;
+        float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
         rate->acceleration[n] += inward * p * area / density;
         rate->density -= density * inward * v->velocity[n] * closing;
         if (!c->no_slip || c->viscosity[fluid] == 0)
             continue;
         float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
-        float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * drag;
+        float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * part * drag;
         for (int a = 0; a < 3; a++)
             rate->acceleration[a] -= scale * v->velocity[a];
     }
@@ -166,13 +191,9 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
 static inline float explicit_summed_density(const struct explicit_constants *c, int fluid,
                                             const struct position *x, float number)
 {
-    float sum = c->number_density * number;
-    for (int face = 0; face < 6; face++) {
-        uint32_t count = plane_counts(c, face, x);
-        if (count < c->near[face / 2])
-            sum += plane_value(c->planes.volume, (float)count * c->q_per_count[face / 2]);
-    }
-    return c->mass[fluid] * sum;
+    float open[3];
+    explicit_open(c, x, open);
+    return c->mass[fluid] * (c->number_density * number + 1 - open[0] * open[1] * open[2]);
 }
 
 #endif
