@@ -1,5 +1,6 @@
 # sph-render: options first, then flags, then targets.
-# Each option is detected and can be set: make EGL=0 OSMESA=0 CUDA=0 MPI=0
+# Each option is detected and can be set: make EGL=0 OSMESA=0 LIBAV=0 CAIRO=0 CUDA=0 MPI=0
+# V=1 shows whole commands; WERROR=-Werror makes warnings errors.
 
 ifeq ($(origin CC),default)
 CC       := gcc
@@ -8,6 +9,9 @@ BUILD    ?= build
 PREFIX   ?= /usr/local
 OPT      ?= -O2 -g
 WERROR   ?=
+JOBS     ?= $(shell nproc 2>/dev/null || echo 1)
+V        ?= 0
+quiet    = $(if $(filter 0,$(V)),@echo '  $(1)' &&)
 
 have      = $(shell pkg-config --exists $(1) 2>/dev/null && echo 1 || echo 0)
 EGL      ?= $(call have,egl gl)
@@ -16,11 +20,22 @@ LIBAV    ?= $(call have,libavformat libavcodec libswscale libavutil)
 CAIRO    ?= $(call have,cairo)
 NVCC     ?= $(firstword $(wildcard /usr/local/cuda/bin/nvcc) $(shell command -v nvcc 2>/dev/null))
 CUDA     ?= $(if $(NVCC),1,0)
-MPI      ?= $(if $(shell command -v mpicc 2>/dev/null),1,0)
+MPICC    ?= $(shell command -v mpicc 2>/dev/null)
+MPI      ?= $(if $(MPICC),1,0)
+
+OPTIONS       := EGL OSMESA LIBAV CAIRO
+EGL_doc       := draws on a GPU or by Mesa software without a screen
+EGL_needs     := libegl-dev libgl-dev
+OSMESA_doc    := draws by Mesa software into memory
+OSMESA_needs  := libosmesa6-dev
+LIBAV_doc     := writes mp4
+LIBAV_needs   := libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
+CAIRO_doc     := writes colour bar, title and time over frames
+CAIRO_needs   := libcairo2-dev
 
 VERSION  := 0.1.0
 PACKAGES := libpng $(if $(filter 1,$(CAIRO)),cairo) $(if $(filter 1,$(LIBAV)),libavformat libavcodec libswscale libavutil)
-DEFINES  := -DSPH_VERSION='"$(VERSION)"' $(foreach o,EGL OSMESA LIBAV CAIRO CUDA MPI,-DHAVE_$(o)=$($(o)))
+DEFINES  := -DSPH_VERSION='"$(VERSION)"' $(foreach o,EGL OSMESA LIBAV CAIRO,-DHAVE_$(o)=$($(o)))
 OPENMP   := -fopenmp
 # Same bits on every target: no contraction of a*b+c, no reassociation, IEEE square root and division.
 SAFE     := -ffp-contract=off -fno-math-errno -fno-trapping-math
@@ -37,15 +52,16 @@ SHADERS  := $(wildcard shaders/*)
 SHADER_H := $(SHADERS:shaders/%=$(BUILD)/gen/shaders/%.h)
 TESTS_C  := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/t*.c))
 
-.PHONY: all movie test bench info install clean deps
+.PHONY: all movie test run-tests bench info install clean FORCE
+.SECONDARY: $(SHADER_H)
 all: $(PROGRAM)
 
 $(PROGRAM): $(BUILD)/src/main.o $(LIBRARY)
-	$(CC) $(CFLAGS_) $(LDFLAGS) -o $@ $^ $(LIBS)
+	$(call quiet,LINK $@) $(CC) $(CFLAGS_) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(LIBRARY): $(filter-out $(BUILD)/src/main.o,$(OBJECTS))
 	@rm -f $@
-	ar rcs $@ $^
+	$(call quiet,AR   $@) ar rcs $@ $^
 
 $(BUILD)/src/backend/cpu/isa_avx2.o:   ISA := -mavx2 -mfma
 $(BUILD)/src/backend/cpu/isa_avx512.o: ISA := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mavx2 -mfma -mprefer-vector-width=512
@@ -58,7 +74,7 @@ FORCE:
 
 $(BUILD)/%.o: %.c $(BUILD)/flags | $(SHADER_H)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_) $(ISA) -MMD -MP -c -o $@ $<
+	$(call quiet,CC   $<) $(CC) $(CFLAGS_) $(ISA) -MMD -MP -c -o $@ $<
 
 # A shader becomes a C string: #include "shaders/NAME.h" as an initializer.
 $(BUILD)/gen/shaders/%.h: shaders/%
@@ -67,31 +83,34 @@ $(BUILD)/gen/shaders/%.h: shaders/%
 
 $(BUILD)/tests/%: tests/%.c $(LIBRARY)
 	@mkdir -p $(@D)
-	$(CC) $(CFLAGS_) -Itests -MMD -MP -o $@ $< $(LIBRARY) $(LIBS) -lcmocka $(LDFLAGS)
+	$(call quiet,CC   $<) $(CC) $(CFLAGS_) -Itests -MMD -MP -o $@ $< $(LIBRARY) $(LIBS) -lcmocka $(LDFLAGS)
 
-deps:
+# Detection happens when the Makefile is read, so a make of its own follows the installation.
+parallel  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
+movie:
 	@tools/install-deps
-
-# Detection happens when the Makefile is read, so build anew after installing.
-movie: deps
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) --no-print-directory $(parallel) all
 	@mkdir -p out
 	$(PROGRAM) scenes/dambreak.json -o out/dambreak.mp4
 
-test: deps
-	@$(MAKE) --no-print-directory run-tests
+test:
+	@tools/install-deps test
+	@$(MAKE) --no-print-directory $(parallel) run-tests
 run-tests: all $(TESTS_C)
 	@BUILD=$(BUILD) CC='$(CC)' tests/run
 
 bench: all
-	$(PROGRAM) bench scenes/bench/*.json
+	$(PROGRAM) bench scenes/bench/*.json scenes/seeds/*.json
 
 info:
 	@echo "sph-render $(VERSION)"
 	@echo "compiler   $(CC): $$($(CC) --version | head -n 1)"
 	@echo "also       $$(command -v clang gcc nvcc mpicc | tr '\n' ' ')"
 	@echo "flags      $(CFLAGS_)"
-	@$(foreach o,EGL OSMESA LIBAV CAIRO CUDA MPI,echo "$(o)=$($(o)) $(if $(filter 1,$($(o))),,(missing; tools/install-deps installs what it needs, or it was set to 0))";)
+	@echo "back ends  cpu (scalar, AVX2, AVX-512: the best that the processor has)"
+	@$(foreach o,$(OPTIONS),echo "$(o)=$($(o))  $($(o)_doc)$(if $(filter 0,$($(o))),: not built in; needs $($(o)_needs))";)
+	@echo "CUDA=$(CUDA)  $(if $(NVCC),$(NVCC) found,no nvcc found); the program has no CUDA code yet"
+	@echo "MPI=$(MPI)  $(if $(MPICC),$(MPICC) found,no mpicc found); the program has no MPI code yet"
 
 install: all
 	install -D -m 755 $(PROGRAM) $(DESTDIR)$(PREFIX)/bin/sph-render

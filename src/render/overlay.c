@@ -296,11 +296,16 @@ void overlay_close(struct overlay *o)
 #define MISSING NULL
 #else
 
+#include "base/log.h"
+
 enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
                          struct error *e)
 {
-    (void)setup;
+    const struct scene *scene = setup->scene;
     (void)e;
+    if (scene->color.legend || scene->render.time || scene->render.title)
+        log_info("frames come without title, time and colour bar: this build has no cairo (make "
+                 "CAIRO=1, Debian package libcairo2-dev)");
     *overlay = NULL;
     return STATUS_OK;
 }

@@ -99,7 +99,10 @@ static inline float explicit_predict(const struct explicit_constants *c, int flu
             x->count[a] = explicit_bounce(c, a, x->count[a], &half);
         v->velocity[a] = explicit_rest(c, half + kick);
     }
-    *density = density0 + dt * rate->density;
+    /* The continuity equation lets a particle that is torn off thin out without end; the volume m/rho
+     * that its neighbours then see grows beyond all bounds. Thinner than half is no fluid. */
+    float thinnest = 0.5f * c->rest_density[fluid], next = density0 + dt * rate->density;
+    *density = next < thinnest ? thinnest : next;
     explicit_state(c, fluid, *density, &v->pressure, &x->volume);
     return move2;
 }

@@ -56,17 +56,18 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
             argp_error(state, "more than %d scenes", SCENES_MAX);
         b->scenes[b->scene_count++] = value;
         return 0;
-    case ARGP_KEY_NO_ARGS: argp_error(state, "no scene; for example: bench scenes/dambreak.json"); return 0;
+    case ARGP_KEY_NO_ARGS: argp_error(state, "no scene; for example: sph-render bench scenes/dambreak.json");
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
 
 static const struct argp_option options[] = {
-    {"steps", 'n', "N", 0, "measured steps (default 100)", 0},
-    {"from", 'f', "T", 0, "start measuring at scene time T, s (default 0)", 0},
-    {"threads", 't', "N", 0, "threads (default: all processors)", 0},
-    {"isa", 'i', "NAME", 0, "instruction set: auto, scalar, avx2, avx512", 0},
-    {"set", 's', "KEY=VALUE", 0, "change a key of every scene; may repeat", 0},
+    {"steps", 'n', "N", 0, "Measured steps (default 100)", 0},
+    {"from", 'f', "T", 0, "Start measuring at scene time T, s (default 0)", 0},
+    {"threads", 't', "N", 0, "Threads (default: one per processor)", 0},
+    {"isa", 'i', "NAME", 0, "Instruction set: auto, scalar, avx2, avx512", 0},
+    {"set", 's', "KEY=VALUE", 0, "Change a key of every scene; may be given several times", 0},
     {"json", 'j', NULL, 0, "JSON instead of a table", 0},
     {0}};
 
@@ -166,10 +167,13 @@ static void print_table(const struct result *r, size_t count)
 static int bench_run(int argc, char **argv)
 {
     static const struct argp parser = {.options = options, .parser = parse_option,
-        .args_doc = "SCENE.json...", .doc = "Times the steps of scenes, without drawing."};
+        .args_doc = "SCENE.json...", .doc = "Times the steps of scenes, without drawing: by phase, in pairs per second, and as a share of "
+               "the multiply-add peak that this machine reaches in the same run."};
     struct bench b = {.steps = 100, .run = {.at = NAN}};
     struct result results[SCENES_MAX] = {0};
     struct error e = {.status = STATUS_OK};
+    static char name[] = "sph-render bench";
+    argv[0] = name;
     if (argp_parse(&parser, argc, argv, 0, NULL, &b))
         return STATUS_USAGE;
     for (size_t k = 0; k < b.scene_count; k++)

@@ -9,14 +9,15 @@
 #include <string.h>
 
 static const char *const groups[CLI_GROUPS] = {
-    "Output:", "Scene (each wins over the file; in the order given):", "Machine:",
+    "Output:", "Scene (wins over the file; the last one given wins):", "Machine:",
     "Instead of a film, or besides:", "Messages:"};
 
 const struct cli_option cli_options[] = {
     {"output", "OUT", 'o', 1, "Write OUT, by its ending: film.mp4, frame-%04d.png, frame.png (with "
-     "--at), null (compute only), hash (print a line per frame). May be given several times.",
+     "--at), null (compute only), hash (print index, time, state hash and pixel hash of each frame). May be "
+     "given several times: one run, several outputs.",
      NULL, NULL},
-    {"at", "T", CLI_AT, 1, "One frame only: the state at exactly T seconds", NULL, NULL},
+    {"at", "T", CLI_AT, 1, "One frame only: the state at exactly T seconds of scene time", NULL, NULL},
     {"size", "WxH", CLI_SIZE, 1, "Pixels of a frame (movie.size)", NULL, "movie.size"},
     {"fps", "N", CLI_FPS, 1, "Frames per second of film (movie.fps)", NULL, "movie.fps"},
 
@@ -33,10 +34,10 @@ const struct cli_option cli_options[] = {
     {"isa", "NAME", CLI_ISA, 3, "Vector instructions of the CPU; all give the same bits", "isas",
      NULL},
 
-    {"check", NULL, CLI_CHECK, 4, "Check the scene and stop", NULL, NULL},
+    {"check", NULL, CLI_CHECK, 4, "Check the scene and stop; nothing is computed or written", NULL, NULL},
     {"plan", NULL, CLI_PLAN, 4, "Print what would be computed, and what is left out and why; stop",
      NULL, NULL},
-    {"report", "FILE.json", CLI_REPORT, 4, "Write times, steps and hashes of the run", NULL, NULL},
+    {"report", "FILE.json", CLI_REPORT, 4, "Write machine, scene in force, steps, times by phase and state hashes of the run", NULL, NULL},
     {"write-scene", "FILE.json", CLI_WRITE_SCENE, 4, "Write the scene in force, every key with its "
      "value; - is standard output", NULL, NULL},
 
@@ -76,7 +77,10 @@ static void print_post(FILE *out)
     fputs("\nExamples:\n"
           "  sph-render scenes/dambreak.json -o dam.mp4\n"
           "  sph-render scenes/dambreak.json --at 0.5 -o dam.png\n"
-          "  sph-render scenes/dambreak.json --set particles.spacing=0.01 -o fine.mp4\n\n"
+          "  sph-render scenes/dambreak.json --end 1 --fps 10 -o 'dam-%03d.png' -o hash\n"
+          "  sph-render scenes/dambreak.json --plan\n"
+          "  sph-render scenes/dambreak.json --set particles.spacing=0.01 -o fine.mp4\n"
+          "  sph-render bench scenes/bench/dambreak-50k.json --threads 1\n\n"
           "Exit codes: 0 done, 1 run failed, 2 usage or scene, 3 no renderer or encoder, 4 output "
           "or disk, 130 interrupted.", out);
 }
