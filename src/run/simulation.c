@@ -7,6 +7,7 @@
 #include <math.h>
 
 enum { HALVINGS_MAX = 12 };
+#define MACH_MAX 0.5 /* beyond it density, hence pressure, is wrong: a run ends */
 
 static enum status run(struct simulation *s, enum pass_id pass, struct step *step,
                        struct error *e)
@@ -118,8 +119,8 @@ static enum status give_up(struct simulation *s, double dt, int halvings, uint32
     if (!isfinite(speed) || !isfinite(force)) {
         cause = "a value that is not finite";
         change = "look for overlapping bodies or an extreme stiffness";
-    } else if (speed > c0) {
-        cause = "flow faster than the numerical speed of sound";
+    } else if (speed > MACH_MAX * c0) {
+        cause = "flow faster than half the numerical speed of sound, where density is wrong";
         change = "raise solver.sound_speed (solver.stiffness) to 10 times the fastest flow";
     } else {
         cause = "a force that no time step resolves";
@@ -127,11 +128,40 @@ static enum status give_up(struct simulation *s, double dt, int halvings, uint32
     }
     return error_set(e, STATUS_RUN,
                      "stopped at t = %.6g s: particle %u at (%.4g, %.4g, %.4g) m, speed %.4g m/s, "
-                     "acceleration %.4g m/s^2, still unstable after %d halvings of the time step "
-                     "(now %.3g s); cause: %s; %s. Frames up to now are kept",
+                     "acceleration %.4g m/s^2, after %d halvings of the time step (now %.3g s); "
+                     "cause: %s; %s. Frames up to now are kept",
                      s->time, bad, space_metres(space, 0, x->count[0]),
                      space_metres(space, 1, x->count[1]), space_metres(space, 2, x->count[2]),
                      speed, force, halvings, dt, cause, change);
+}
+
+/* The particle that moves fastest. */
+static uint32_t fastest(struct simulation *s)
+{
+    const struct particles *p = s->row->state(s->backend);
+    uint32_t id = UINT32_MAX;
+    for (size_t i = 0; i < p->count; i++) {
+        const float *v = particles_motion(p)[i].velocity;
+        float speed2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        if (speed2 == s->extremes.speed2 && particles_id(p)[i] < id)
+            id = particles_id(p)[i];
+    }
+    return id;
+}
+
+static enum status accept(struct simulation *s, double dt, double limit, bool last, double target,
+                          struct error *e)
+{
+    double most = MACH_MAX * s->plan->choice.sound_speed;
+    s->time = last ? target : s->time + dt;
+    s->last_dt = limit;
+    s->stats.steps++;
+    s->stats.dt_sum += dt;
+    s->stats.dt_min = fmin(s->stats.dt_min, dt);
+    s->stats.dt_max = fmax(s->stats.dt_max, dt);
+    if (s->extremes.speed2 > most * most)
+        return give_up(s, dt, 0, fastest(s), e);
+    return STATUS_OK;
 }
 
 enum status simulation_step(struct simulation *s, double target, struct error *e)
@@ -143,15 +173,8 @@ enum status simulation_step(struct simulation *s, double target, struct error *e
         uint32_t bad = UINT32_MAX;
         if (keep_rows(s, dt, e) || try_step(s, dt, &bad, e))
             return e->status;
-        if (bad == UINT32_MAX) {
-            s->time = parts <= 1 ? target : s->time + dt;
-            s->last_dt = most;
-            s->stats.steps++;
-            s->stats.dt_sum += dt;
-            s->stats.dt_min = fmin(s->stats.dt_min, dt);
-            s->stats.dt_max = fmax(s->stats.dt_max, dt);
-            return STATUS_OK;
-        }
+        if (bad == UINT32_MAX)
+            return accept(s, dt, most, parts <= 1, target, e);
         log_detail("t = %.6g s: step of %.3g s rejected (particle %u)", s->time, dt, bad);
         if (halvings == HALVINGS_MAX || dt < s->least_dt)
             return give_up(s, dt, halvings, bad, e);
@@ -199,7 +222,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
     s->extremes = step.extremes;
     s->last_dt = INFINITY;
     s->last_dt = natural_step(s);
-    s->least_dt = 1e-6 * s->last_dt;
+    s->least_dt = 1e-4 * s->last_dt;
     s->allowance = 0; /* rows for the first real step */
     return STATUS_OK;
 failed:
