@@ -65,6 +65,6 @@ compare() {
 compare "dam break" scenes/dambreak.json --set particles.spacing=0.05 --end 0.8 --fps 15
 compare "two fluids" tests/scenes/two-fluids.json
 compare "wall particles" tests/scenes/wall-particles.json
-compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.4 --fps 30
+compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.8 --fps 30
 compare "periodic" tests/scenes/periodic.json
 echo "1..$n"
