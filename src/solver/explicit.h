@@ -27,7 +27,6 @@ struct explicit_constants {
     bool plane[6];            /* and stands for a half space of wall */
     float restitution;
     bool no_slip;
-    bool mirrored;            /* walls answer with the particle's own pressure */
     bool tait, clamp;         /* equation of state; negative pressure set to zero */
     float rest_speed;         /* m/s; slower than this is at rest */
     float spacing;            /* d, m */
@@ -157,10 +156,8 @@ static inline bool explicit_open(const struct explicit_constants *c, const struc
     return near;
 }
 
-/* Half spaces of wall behind closed faces, by closed integrals. With density by continuity the wall
- * repeats the particle's pressure (never sucks). With density by summation it does not: the work of
- * the force must be that of the density, rho_i' = -m_i area v_n, or the wall feeds energy in (as
- * Akinci et al. 2012, eq. 9). The wall's velocity continues the particle's linearly through zero at the plane,
+/* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
+ * pressure (never sucks); its velocity continues the particle's linearly through zero at the plane,
  * in the normal direction always, along the plane only with no_slip, so that a linear profile has
  * its exact divergence and no spurious drag. */
 static inline void explicit_walls(const struct explicit_constants *c, int fluid,
@@ -180,7 +177,7 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         float inward = face & 1 ? -1.0f : 1.0f, near = 0.5f * c->spacing / c->h;
         float lever = 1 / (q > near ? q : near);
         float area = part * plane_value(c->planes.area, q) / c->h;
-        float p = v->pressure + (c->mirrored && v->pressure > 0 ? v->pressure : 0);
+        float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
         float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
         rate->acceleration[n] += inward * p * area / density;
         rate->density -= density * inward * v->velocity[n] * closing;

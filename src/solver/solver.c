@@ -159,6 +159,5 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     choice->limits.force = 0.25;
     choice->limits.user = isnan(scene->time.step) ? INFINITY : scene->time.step;
     solver->choose(scene, choice);
-    choice->each.mirrored = choice->continuity;
     choice->each.rest_speed = (float)(1e-12 * choice->sound_speed);
 }
