@@ -15,8 +15,6 @@ struct backend_setup {
     const struct search_row *search;
     const char *isa;  /* row of "isas", or "auto" */
     int threads;      /* 0: all processors */
-    unsigned fields;  /* planned fields */
-    size_t fluid_count;
 };
 
 /* Lists may reach this much further than the support; beyond it the loop sorts anew. */

@@ -201,8 +201,6 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .search = plan->search,
         .isa = options->isa ? options->isa : "auto",
         .threads = options->threads,
-        .fields = plan->fields,
-        .fluid_count = plan->scene->fluid_count,
     };
     struct step step = {0};
     *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY};

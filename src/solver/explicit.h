@@ -43,7 +43,6 @@ struct explicit_constants {
 struct extremes {
     float speed2, acceleration2; /* m^2/s^2, m^2/s^4 */
     float move2;                 /* of the step, m^2 */
-    float low_density;           /* smallest rho/rho0 */
     uint32_t bad;                /* smallest id of a non-finite or runaway particle */
 };
 

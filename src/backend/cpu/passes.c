@@ -6,7 +6,7 @@
 
 static struct extremes extremes_none(void)
 {
-    return (struct extremes){.low_density = FLT_MAX, .bad = UINT32_MAX};
+    return (struct extremes){.bad = UINT32_MAX};
 }
 
 static void extremes_merge(struct extremes *a, const struct extremes *b)
@@ -14,7 +14,6 @@ static void extremes_merge(struct extremes *a, const struct extremes *b)
     a->speed2 = b->speed2 > a->speed2 ? b->speed2 : a->speed2;
     a->acceleration2 = b->acceleration2 > a->acceleration2 ? b->acceleration2 : a->acceleration2;
     a->move2 = b->move2 > a->move2 ? b->move2 : a->move2;
-    a->low_density = b->low_density < a->low_density ? b->low_density : a->low_density;
     a->bad = b->bad < a->bad ? b->bad : a->bad;
 }
 
@@ -73,7 +72,6 @@ void cpu_correct(struct backend *b, struct step *step)
             float ratio = density[i] / rest[particles_fluid(p, i)];
             own.speed2 = v2 > own.speed2 ? v2 : own.speed2;
             own.acceleration2 = a2 > own.acceleration2 ? a2 : own.acceleration2;
-            own.low_density = ratio < own.low_density ? ratio : own.low_density;
             if (!(v2 < FLT_MAX) || !(a2 < FLT_MAX) || !(ratio > 0.05f && ratio < 20))
                 own.bad = particles_id(p)[i] < own.bad ? particles_id(p)[i] : own.bad;
         }
