@@ -45,8 +45,11 @@ static inline double reference_number(const struct cloud *c, unsigned flags, siz
 {
     const struct position *x = particles_position(&c->particles);
     double sum = 0, apart[3];
+    const struct position *wall = particles_position(&c->wall);
     for (size_t j = 0; j < c->count; j++)
         sum += reference_value(flags, reference_between(c, &x[i], &x[j], apart));
+    for (size_t j = 0; j < c->wall_count; j++)
+        sum += wall[j].volume * reference_value(flags, reference_between(c, &x[i], &wall[j], apart));
     return sum;
 }
 

@@ -194,6 +194,67 @@ static void nothing_leaves(void **state)
              "\"density\": \"summation\"");
 }
 
+/* A step across a face ends at that face, or as far inside as it was beyond, whichever of the six. */
+static void bounces_off_each_face(void **state)
+{
+    struct world w;
+    (void)state;
+    world_open(&w, HEAD "\"domain\": {\"min\": [0, 0, 0], \"max\": [1, 2, 4]}}", 0.0);
+    struct explicit_constants *c = &w.plan.choice.each;
+    for (int face = 0; face < 6; face++)
+        for (int restitution = 0; restitution < 2; restitution++) {
+            int a = face / 2;
+            double wall = face & 1 ? w.scene->domain.max[a] : 0, inward = face & 1 ? -1 : 1;
+            struct position old = {{0}, 1}, x = {{0}, 1};
+            struct motion v0 = {{0}, 0}, v = {{0}, 0};
+            struct rate rate = {{0}, 0};
+            float density;
+            c->restitution = (float)restitution;
+            for (int k = 0; k < 3; k++)
+                old.count[k] = space_count(&w.plan.space, k, k == a ? wall + 0.01 * inward : 0.5);
+            v0.velocity[a] = (float)(-2 * inward);
+            explicit_predict(c, 0, 0.02f, &old, &v0, &rate, 1000, &x, &v, &density);
+            double away = fabs(space_metres(&w.plan.space, a, x.count[a]) - wall);
+            assert_true(fabs(away - 0.03 * restitution) < 1e-6);
+            assert_true(fabs(v.velocity[a] - 2 * inward * restitution) < 1e-6);
+        }
+    world_close(&w);
+}
+
+/* With summed density the symmetric pressure force is the gradient of an energy:
+ * kinetic energy + m c0^2 (ln r + 1/r - 1), r = rho/rho0, of disordered fluid without walls stays. */
+static void summed_energy_stays(void **state)
+{
+    struct world w;
+    double first = 0;
+    (void)state;
+    world_open(&w, "{\"particles\": {\"spacing\": 0.05}, \"time\": {\"end\": 1, \"cfl\": 0.1}, "
+               "\"gravity\": [0, 0, 0], "
+               "\"fluids\": [{\"viscosity\": 0}],\n"
+               "\"domain\": {\"min\": [0, 0, 0], \"max\": [0.6, 0.5, 0.5], "
+               "\"walls\": \"periodic\"},\n"
+               "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.6, 0.5, 0.5], "
+               "\"jitter\": 0.2}], \"solver\": {\"density\": \"summation\", \"eos\": \"linear\", "
+               "\"sound_speed\": 20, \"pressure_form\": \"symmetric\", "
+               "\"artificial_viscosity\": 0}}");
+    for (int k = 0; k <= 10; k++) {
+        const struct particles *p = world_state(&w);
+        double energy = 0;
+        world_advance(&w, 0.01 * k);
+        p = world_state(&w);
+        for (size_t i = 0; i < p->count; i++) {
+            const float *v = particles_motion(p)[i].velocity;
+            double r = fmax(1, particles_density(p)[i] / 1000.0);
+            energy += world_mass(&w, i) * (0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) +
+                                           400 * (log(r) + 1 / r - 1));
+        }
+        first = k ? first : energy;
+        if (fabs(energy / first - 1) > 2e-3)
+            fail_msg("t = %g s: energy %g, at the start %g", 0.01 * k, energy, first);
+    }
+    world_close(&w);
+}
+
 int main(void)
 {
     log_set_level(LOG_ERROR);
@@ -201,6 +262,7 @@ int main(void)
         cmocka_unit_test(one_particle_falls), cmocka_unit_test(block_falls),
         cmocka_unit_test(keeps_momentum),     cmocka_unit_test(lattice_stays_still),
         cmocka_unit_test(hits_times),         cmocka_unit_test(nothing_leaves),
+        cmocka_unit_test(bounces_off_each_face), cmocka_unit_test(summed_energy_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

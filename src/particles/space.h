@@ -2,7 +2,8 @@
  *
  * A coordinate is an unsigned 32-bit count of `unit[a]` metres from `origin[a]`. A periodic axis
  * spans exactly 2^32 units, so that the signed difference of two coordinates is already the
- * nearest image; other axes use the lower half, 2^31 units. Differences are exact, so accuracy does
+ * nearest image; other axes use the lower half, 2^31 units, and end two spacings above the upper
+ * plane, so that a particle that crosses either plane in a step is seen on that side. Differences are exact, so accuracy does
  * not depend on where the domain lies or how large it is. */
 #ifndef PARTICLES_SPACE_H
 #define PARTICLES_SPACE_H
@@ -14,7 +15,7 @@
 
 struct space {
     double origin[3]; /* m */
-    double length[3]; /* m, including a margin for wall particles outside the domain */
+    double length[3]; /* m, including what lies outside the domain */
     double unit[3];   /* m per count */
     bool periodic[3];
     uint32_t low[3], high[3]; /* the domain's planes, counts; not used on periodic axes */

@@ -49,9 +49,10 @@ static inline __attribute__((always_inline)) real pair_value(const struct pair *
 }
 
 /* Number density sum_j W_ij (Hu & Adams 2006): rho_i = m_i times it. */
-static inline __attribute__((always_inline)) void pair_density(real *sum, const struct pair *p, unsigned flags)
+static inline __attribute__((always_inline)) void pair_density(real *sum, const struct pair *p, real weight,
+                                                               unsigned flags)
 {
-    *sum = *sum + pair_value(p, flags);
+    *sum = real_fma(weight, pair_value(p, flags), *sum);
 }
 
 /* Momentum and continuity of weakly compressible SPH:

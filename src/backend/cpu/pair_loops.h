@@ -62,23 +62,37 @@ FORCE_INLINE struct lane_point point_load(const struct pair_work *w, size_t firs
                                real_set(scale[0]), real_set(scale[1]), real_set(scale[2])};
 }
 
-/* Density by summation: number[i] = w(0) + sum_j w(q_ij). Padded entries must not count. */
+/* Sum of w over row entries below the count of each lane: padded entries must not count. With
+ * `weighted` each entry counts by its volume. */
+FORCE_INLINE real density_row(const struct lane_point *point, const struct position *records,
+                              const uint32_t *row, const uint32_t *count, bool weighted, real sum,
+                              const unsigned flags)
+{
+    uint32_t length = longest(count);
+    for (uint32_t k = 0; k < length; k++) {
+        real other[4], far = real_set(16);
+        records_load(records, row + (size_t)k * PARTICLE_BLOCK, other);
+        struct pair p = pair_between(point, other);
+        p.q2 = real_below(k, count, p.q2, far);
+        p.q = real_below(k, count, p.q, far);
+        pair_density(&sum, &p, weighted ? other[3] : real_set(1), flags);
+    }
+    return sum;
+}
+
+/* Density by summation: number[i] = w(0) + sum_j w(q_ij) + sum_b V_b w(q_ib). */
 FORCE_INLINE void density_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
-                                  const unsigned flags)
+                                 const unsigned flags)
 {
     for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
-        const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
-        uint32_t length = longest(w->row_count + i);
-        real volume, sum = real_set(w->constants.self);
+        const size_t block = i / PARTICLE_BLOCK, lane = i % PARTICLE_BLOCK;
+        real volume;
         struct lane_point point = point_load(w, i, &volume);
-        for (uint32_t k = 0; k < length; k++) {
-            real other[4], far = real_set(16);
-            records_load(w->position, row + (size_t)k * PARTICLE_BLOCK, other);
-            struct pair p = pair_between(&point, other);
-            p.q2 = real_below(k, w->row_count + i, p.q2, far);
-            p.q = real_below(k, w->row_count + i, p.q, far);
-            pair_density(&sum, &p, flags);
-        }
+        real sum = density_row(&point, w->position, w->rows[block].index + lane, w->row_count + i,
+                               false, real_set(w->constants.self), flags);
+        if (w->wall)
+            sum = density_row(&point, w->wall, w->wall_rows[block].index + lane,
+                              w->wall_row_count + i, true, sum, flags);
         real_store(w->number + i, sum);
     }
 }
