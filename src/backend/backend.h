@@ -24,7 +24,9 @@ struct backend_setup {
 struct step {
     float dt;          /* s, for predict and correct */
     double list_radius;/* m, for sort and neighbours */
-    struct extremes extremes; /* of the last predict or correct pass */
+    struct extremes extremes; /* of the last predict, correct or move pass */
+    enum solve solve;         /* which of the implicit solver's two */
+    double residual;          /* mean compression left by the last sweep */
 };
 
 /* Work done so far. */

@@ -29,6 +29,10 @@ enum field {
     FIELD_ID,        /* uint32_t, 0 .. count-1 in order of filling, never changes */
     FIELD_FLUID,     /* uint8_t, index into the scene's fluids; absent with one fluid */
     FIELD_VISCOSITY, /* float, Pa s; absent unless fluids differ in it */
+    FIELD_LOAD,      /* struct position with volume = V P / d^3 (Pa), of the implicit solver */
+    FIELD_FLUX,      /* struct motion with velocity = V (v + dt a) / d^3 (m/s) */
+    FIELD_FACTOR,    /* struct factor (solver/implicit.h) */
+    FIELD_WARM,      /* struct warm (solver/implicit.h) */
     FIELD_COUNT
 };
 

@@ -17,6 +17,8 @@ static void omit(struct plan *plan, const char *what_and_why)
 static bool pass_wanted(struct plan *plan, enum pass_id id)
 {
     const struct solver_choice *c = &plan->choice;
+    bool viscous = c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY);
+    bool drags = !c->is_implicit || (viscous && c->each.no_slip);
     switch (id) {
     case PASS_DENSITY:
         if (c->continuity)
@@ -26,10 +28,16 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
         if (c->continuity)
             omit(plan, "pass pressure: predict evaluates the equation of state");
         return !c->continuity;
+    case PASS_FORCE:
+        if (c->is_implicit && !viscous)
+            omit(plan, "pass force: no viscosity, and pressure is solved for");
+        return !c->is_implicit || viscous;
     case PASS_WALLS:
         if (!c->wall_planes)
             omit(plan, "pass walls: no closed face");
-        return c->wall_planes;
+        else if (!drags)
+            omit(plan, "pass walls: they do not drag, and push by the pressure solve");
+        return c->wall_planes && drags;
     default:
         return true;
     }

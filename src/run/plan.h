@@ -18,7 +18,7 @@ struct plan {
     struct space space;
     struct solver_choice choice;
     struct fill bodies, walls;     /* start points */
-    const struct pass_row *passes[PASS_COUNT]; /* of one step, in order */
+    const struct pass_row *passes[STEP_PASSES_MAX]; /* of one step, in order */
     size_t pass_count;
     unsigned fields;               /* allocated */
     size_t bytes_per_particle;     /* of the fields, without neighbour rows */

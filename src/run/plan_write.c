@@ -4,7 +4,8 @@
 #include <math.h>
 
 static const char *const kinds[] = {
-    [PASS_EACH] = "each", [PASS_PAIR] = "pair", [PASS_ORDER] = "order"};
+    [PASS_EACH] = "each", [PASS_PAIR] = "pair", [PASS_ORDER] = "order",
+    [PASS_LOOP] = "loop", [PASS_END] = "end"};
 
 static void write_fields(unsigned mask, FILE *out)
 {

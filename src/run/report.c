@@ -52,6 +52,22 @@ static void write_phases(FILE *f, const struct report *r, const struct backend_c
     fputs("},\n", f);
 }
 
+static void write_solves(FILE *f, const struct simulation *s)
+{
+    static const char *const names[] = {[SOLVE_DIVERGENCE] = "divergence", [SOLVE_DENSITY] = "density"};
+    double tries = (double)(s->stats.steps + s->stats.rejected);
+    fputs("  \"solves\": {", f);
+    for (int k = 0; k < 2; k++) {
+        const struct solve_stats *solve = &s->stats.solves[k];
+        fprintf(f, "%s\"%s\": {\"sweeps\": %ld, \"mean\": %.3f, \"most\": %d, \"unsolved\": %ld, "
+                   "\"residual\": %.4g}",
+                k ? ", " : "", names[k], solve->sweeps,
+                tries > 0 ? (double)solve->sweeps / tries : 0, solve->most, solve->unsolved,
+                solve->residual);
+    }
+    fputs("},\n", f);
+}
+
 static void write_body(FILE *f, const struct report *r, struct simulation *s)
 {
     const struct backend_counts *counts = s->row->counts(s->backend);
@@ -74,6 +90,8 @@ static void write_body(FILE *f, const struct report *r, struct simulation *s)
             counts->pairs);
     if (steps > 0 && n > 0)
         fprintf(f, "  \"ns_per_particle_step\": %.3f,\n", r->solve * 1e9 / steps / n);
+    if (s->plan->choice.is_implicit)
+        write_solves(f, s);
     write_phases(f, r, counts);
     fprintf(f, "  \"bytes\": {\"peak\": %zu", memory_peak());
     memory_each(write_memory, f);

@@ -4,6 +4,13 @@
 
 #include "run/plan.h"
 
+/* Work of an implicit solve so far. */
+struct solve_stats {
+    long sweeps, unsolved; /* in all; solves that ended by their limit */
+    int most;              /* sweeps of one solve */
+    double residual;       /* mean compression that the last one left */
+};
+
 struct simulation {
     const struct plan *plan;
     const struct backend_row *row;
@@ -16,6 +23,7 @@ struct simulation {
     struct {
         long steps, rejected, sorts;
         double dt_min, dt_max, dt_sum; /* s */
+        struct solve_stats solves[2];  /* by enum solve */
     } stats;
 };
 

@@ -31,6 +31,7 @@ struct explicit_constants {
     float rest_speed;         /* m/s; slower than this is at rest */
     float spacing;            /* d, m */
     float h;                  /* m */
+    float normal;             /* what makes lattice gradients exact: 1 / moment */
     float number_density;     /* sigma d^3 / h^3: sum of w to V_rest sum W */
     float rest_density[FLUIDS_MAX]; /* kg/m^3 */
     float bulk[FLUIDS_MAX];   /* Pa: B = rho0 c0^2 / 7 (Tait) or rho0 c0^2 (linear) */
@@ -158,10 +159,10 @@ static inline bool explicit_open(const struct explicit_constants *c, const struc
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
  * pressure (never sucks); its velocity continues the particle's linearly through zero at the plane,
  * in the normal direction always, along the plane only with no_slip, so that a linear profile has
- * its exact divergence and no spurious drag. */
+ * its exact divergence and no spurious drag. Without `pushes` it only drags. */
 static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   const struct position *x, const struct motion *v, float density,
-                                  struct rate *rate)
+                                  bool pushes, struct rate *rate)
 {
     float open[3];
     if (!explicit_open(c, x, open))
@@ -175,11 +176,13 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         float part = open[(n + 1) % 3] * open[(n + 2) % 3];
         float inward = face & 1 ? -1.0f : 1.0f, near = 0.5f * c->spacing / c->h;
         float lever = 1 / (q > near ? q : near);
-        float area = part * plane_value(c->planes.area, q) / c->h;
-        float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
-        float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
-        rate->acceleration[n] += inward * p * area / density;
-        rate->density -= density * inward * v->velocity[n] * closing;
+        if (pushes) {
+            float area = c->normal * part * plane_value(c->planes.area, q) / c->h;
+            float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
+            float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
+            rate->acceleration[n] += inward * p * area / density;
+            rate->density -= density * inward * v->velocity[n] * closing;
+        }
         if (!c->no_slip || c->viscosity[fluid] == 0)
             continue;
         float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;

@@ -29,6 +29,56 @@ double kernel_lattice_sum(const struct kernel_row *kernel, double support)
     return sum * kernel->sigma / (h * h * h);
 }
 
+double kernel_lattice_moment(const struct kernel_row *kernel, double support)
+{
+    double h = support / 2, sum = 0;
+    int reach = (int)ceil(support);
+    for (int z = -reach; z <= reach; z++)
+        for (int y = -reach; y <= reach; y++)
+            for (int x = -reach; x <= reach; x++) {
+                double q = sqrt(x * x + y * y + z * z) / h;
+                sum -= q > 0 && q < 2 ? x * x * kernel->slope(q) : 0;
+            }
+    return sum * kernel->sigma / (h * h * h * h * h);
+}
+
+/* At wave number k the operator sum V^2 (grad W . )^2 has the symbol |sum grad W sin(k.r)|^2; its
+ * diagonal is sum |grad W|^2. */
+double kernel_jacobi_radius(const struct kernel_row *kernel, double support)
+{
+    enum { REACH_MAX = 6, WAVES = 24 };
+    double h = support / 2, diagonal = 0, most = 0;
+    double slope[REACH_MAX + 1][REACH_MAX + 1][REACH_MAX + 1]; /* W'/r of the octant */
+    int reach = (int)ceil(support);
+    reach = reach > REACH_MAX ? REACH_MAX : reach;
+    for (int z = 0; z <= reach; z++)
+        for (int y = 0; y <= reach; y++)
+            for (int x = 0; x <= reach; x++) {
+                double r = sqrt(x * x + y * y + z * z), q = r / h;
+                slope[z][y][x] = r > 0 && q < 2 ? kernel->slope(q) : 0;
+                int images = (x ? 2 : 1) * (y ? 2 : 1) * (z ? 2 : 1);
+                diagonal += images * slope[z][y][x] * slope[z][y][x] * r * r;
+            }
+    for (int k = 0; k < WAVES * WAVES * WAVES; k++) {
+        double wave[3] = {k % WAVES, k / WAVES % WAVES, k / (WAVES * WAVES)}, g[3] = {0};
+        for (int a = 0; a < 3; a++)
+            wave[a] *= 3.14159265358979323846 / (WAVES - 1);
+        if (wave[0] < wave[1] || wave[1] < wave[2]) /* the others by symmetry */
+            continue;
+        for (int z = 0; z <= reach; z++)
+            for (int y = 0; y <= reach; y++)
+                for (int x = 0; x <= reach; x++) {
+                    double cx = (x ? 2 : 1) * cos(wave[0] * x), cy = (y ? 2 : 1) * cos(wave[1] * y);
+                    double cz = (z ? 2 : 1) * cos(wave[2] * z), s = slope[z][y][x];
+                    g[0] += s * x * 2 * sin(wave[0] * x) * cy * cz;
+                    g[1] += s * y * 2 * sin(wave[1] * y) * cx * cz;
+                    g[2] += s * z * 2 * sin(wave[2] * z) * cx * cy;
+                }
+        most = fmax(most, g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    }
+    return most / diagonal;
+}
+
 int kernel_lattice_neighbours(double support)
 {
     int reach = (int)ceil(support), n = 0;
@@ -39,23 +89,48 @@ int kernel_lattice_neighbours(double support)
     return n - 1;
 }
 
-void kernel_plane_table(const struct kernel_row *kernel, struct plane_table *table)
+/* Behind the plane stand layers of depth d, each as thick sheets of fluid on the lattice at
+ * distances s + d/2, s + 3d/2, ...; scaled as masses are. */
+static void layer_table(const struct kernel_row *kernel, double support, struct plane_table *table)
+{
+    enum { FINE = 8192, LAYERS_MAX = 16 };
+    static const double pi = 3.14159265358979323846;
+    double h = support / 2, scale = 1 / (h * kernel_lattice_sum(kernel, support)); /* d/h V */
+    static double sheet[FINE + 1]; /* integral of W over a plane at q = 2 k / FINE, times h */
+    sheet[FINE] = 0;
+    for (int k = FINE - 1; k >= 0; k--) {
+        double q = (k + 0.5) * 2 / FINE;
+        sheet[k] = sheet[k + 1] + 2 * pi * kernel->sigma * kernel->value(q) * q * 2 / FINE;
+    }
+    for (int k = 0; k <= PLANE_STEPS; k++) {
+        double volume = 0, area = 0;
+        for (int layer = 0; layer < LAYERS_MAX; layer++) {
+            double q = 2.0 * k / PLANE_STEPS + (layer + 0.5) / h, at = q * FINE / 2;
+            if (q >= 2)
+                break;
+            int low = (int)at;
+            volume += scale * (sheet[low] + (at - low) * (sheet[low + 1] - sheet[low]));
+            area += scale * 2 * pi * kernel->sigma * kernel->value(q) * q;
+        }
+        table->volume[k] = (float)volume;
+        table->area[k] = (float)area;
+    }
+}
+
+void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table)
 {
     enum { FINE = 16 }; /* midpoint steps per table entry, from the edge of the support inwards */
     const double pi = 3.14159265358979323846, fine = 2.0 / PLANE_STEPS / FINE;
-    double area = 0, volume = 0, drag = 0, lever = 0;
+    double drag = 0, lever = 0;
     *table = (struct plane_table){0};
     for (int k = PLANE_STEPS * FINE - 1; k >= 0; k--) {
         double q = (k + 0.5) * fine, w = 2 * pi * kernel->sigma * kernel->value(q) * fine;
-        volume += (area + w * q / 2) * fine;
-        area += w * q;
         lever += (drag + w / 2) * fine;
         drag += w;
         if (k % FINE == 0) {
-            table->area[k / FINE] = (float)area;
-            table->volume[k / FINE] = (float)volume;
             table->drag[k / FINE] = (float)drag;
             table->lever[k / FINE] = (float)lever;
         }
     }
+    layer_table(kernel, support, table);
 }

@@ -10,6 +10,7 @@ struct kernel_row {
     double support;           /* usual support radius / particle spacing */
     double sigma;             /* normalization in 3-D */
     double (*value)(double q); /* w(q) */
+    double (*slope)(double q); /* w'(q)/q of what forces use, q > 0 */
     unsigned flag;            /* bit that selects its body in the pair passes */
 };
 
@@ -19,6 +20,14 @@ extern const struct kernel_row kernel_cubic_spline, kernel_wendland_c2, kernel_p
 /* S = d^3 sum W over the cubic lattice of spacing d, for support radius `support` * d. A particle of
  * mass rho0 d^3 / S on the lattice has density rho0 exactly, so volume is right from the start. */
 double kernel_lattice_sum(const struct kernel_row *kernel, double support);
+
+/* First moment of the lattice, M = -d^3 sum x^2 W'/r: a linear field has the gradient M times what it
+ * should be, and a parabola M times its Laplacian, so gradients are divided by it. */
+double kernel_lattice_moment(const struct kernel_row *kernel, double support);
+
+/* Largest eigenvalue mu of D^-1 A of the pressure operator on the cubic lattice: Jacobi sweeps
+ * contract for a relaxation below 2 / mu (shared by all implicit solvers). */
+double kernel_jacobi_radius(const struct kernel_row *kernel, double support);
 
 /* Neighbours within `support` * d on the cubic lattice, without the particle itself. */
 int kernel_lattice_neighbours(double support);
@@ -34,6 +43,6 @@ struct plane_table {
     float area[PLANE_STEPS + 2], volume[PLANE_STEPS + 2]; /* at q = 2 k / PLANE_STEPS */
     float drag[PLANE_STEPS + 2], lever[PLANE_STEPS + 2];
 };
-void kernel_plane_table(const struct kernel_row *kernel, struct plane_table *table);
+void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table);
 
 #endif

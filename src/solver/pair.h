@@ -78,9 +78,11 @@ static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s
     if (flags & PAIR_ARTIFICIAL)
         push = real_fma(c->artificial * weight, real_positive(real_set(0) - dot * p->inverse),
                         push);
-    s->ax = s->ax - push * p->x;
-    s->ay = s->ay - push * p->y;
-    s->az = s->az - push * p->z;
+    if (!(flags & PAIR_DRAG_ONLY)) {
+        s->ax = s->ax - push * p->x;
+        s->ay = s->ay - push * p->y;
+        s->az = s->az - push * p->z;
+    }
     if (flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)) {
         real mu = c->viscosity;
         if (flags & PAIR_OWN_VISCOSITY)
@@ -113,6 +115,41 @@ static inline __attribute__((always_inline)) void pair_wall(struct pair_sums *s,
                               .viscosity = i->viscosity};
     /* The pressure of the wall carries no hydrostatic difference: no diffusion through it. */
     pair_force(s, i, &wall, p, c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC));
+}
+
+/* Sums of the implicit solver's factors: number and gradient of the density at i, and the squares
+ * that make the diagonal, each weighted by V_j (and there by the inverse rest density of j). */
+struct pair_factors {
+    real number, gx, gy, gz, squares;
+};
+
+static inline __attribute__((always_inline)) void pair_factor(struct pair_factors *s, const struct pair *p, real volume,
+                                                              real inverse_density, unsigned flags)
+{
+    real slope = pair_slope(p, flags), weight = volume * slope;
+    s->number = real_fma(volume, pair_value(p, flags), s->number);
+    s->gx = real_fma(weight, p->x, s->gx);
+    s->gy = real_fma(weight, p->y, s->gy);
+    s->gz = real_fma(weight, p->z, s->gz);
+    s->squares = real_fma(weight * inverse_density, slope * p->q2, s->squares);
+}
+
+/* sum V_j P_j grad W. */
+static inline __attribute__((always_inline)) void pair_push(real sum[3], const struct pair *p, real load,
+                                                            unsigned flags)
+{
+    real weight = load * pair_slope(p, flags);
+    sum[0] = real_fma(weight, p->x, sum[0]);
+    sum[1] = real_fma(weight, p->y, sum[1]);
+    sum[2] = real_fma(weight, p->z, sum[2]);
+}
+
+/* sum V_j u_j . grad W. */
+static inline __attribute__((always_inline)) void pair_sweep(real *sum, const struct pair *p, const real flux[4],
+                                                             unsigned flags)
+{
+    real dot = real_fma(flux[2], p->z, real_fma(flux[1], p->y, flux[0] * p->x));
+    *sum = real_fma(pair_slope(p, flags), dot, *sum);
 }
 
 #endif

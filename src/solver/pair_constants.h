@@ -11,7 +11,8 @@ enum pair_flag {
     PAIR_CONTINUITY = 32,    /* density by continuity, otherwise by summation */
     PAIR_DIFFUSION = 64,     /* delta-SPH; only with continuity */
     PAIR_SYMMETRIC = 128,    /* pressure form V_i^2 p_i + V_j^2 p_j */
-    PAIR_FLAGS_END = 256
+    PAIR_DRAG_ONLY = 256,    /* no pressure: an implicit solver pushes */
+    PAIR_FLAGS_END = 512
 };
 
 /* Chosen once by the plan. */

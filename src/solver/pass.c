@@ -9,6 +9,10 @@ enum {
     DENSITY = FIELD_BIT(FIELD_DENSITY),
     RATE = FIELD_BIT(FIELD_RATE),
     ID = FIELD_BIT(FIELD_ID),
+    LOAD = FIELD_BIT(FIELD_LOAD),
+    FLUX = FIELD_BIT(FIELD_FLUX),
+    FACTOR = FIELD_BIT(FIELD_FACTOR),
+    WARM = FIELD_BIT(FIELD_WARM),
 };
 
 const struct pass_row pass_table[PASS_COUNT] = {
@@ -27,4 +31,21 @@ const struct pass_row pass_table[PASS_COUNT] = {
                     POSITION | MOTION | DENSITY, RATE},
     [PASS_CORRECT] = {PASS_CORRECT, PASS_EACH, "correct", "second half kick; extremes",
                       MOTION | DENSITY | RATE, MOTION | DENSITY},
+    [PASS_FACTOR] = {PASS_FACTOR, PASS_PAIR, "factor", "density by summation, gradient sums, diagonal",
+                     POSITION | MOTION | WARM, DENSITY | FACTOR | MOTION | LOAD},
+    [PASS_SOLVE_DIVERGENCE] = {PASS_SOLVE_DIVERGENCE, PASS_LOOP, "divergence",
+                               "until the velocity is divergence-free", 0, 0},
+    [PASS_SOLVE_DENSITY] = {PASS_SOLVE_DENSITY, PASS_LOOP, "density-solve",
+                            "until no density will exceed the rest density", 0, 0},
+    [PASS_PUSH] = {PASS_PUSH, PASS_PAIR, "push", "trial velocity from the trial pressure",
+                   POSITION | MOTION | LOAD | FACTOR, FLUX},
+    [PASS_SWEEP] = {PASS_SWEEP, PASS_PAIR, "sweep", "compression of the trial velocity, pressure",
+                    POSITION | MOTION | DENSITY | FLUX | FACTOR, MOTION | LOAD},
+    [PASS_SOLVED] = {PASS_SOLVED, PASS_END, "solved", "end of the loop", 0, 0},
+    [PASS_PROJECT] = {PASS_PROJECT, PASS_PAIR, "project", "velocity made divergence-free",
+                      POSITION | MOTION | LOAD | FACTOR, MOTION | WARM},
+    [PASS_KICK] = {PASS_KICK, PASS_EACH, "kick", "gravity and viscosity; pressure of the last step",
+                   MOTION | WARM, MOTION | LOAD},
+    [PASS_MOVE] = {PASS_MOVE, PASS_PAIR, "move", "velocity by pressure, drift, bounce; extremes",
+                   POSITION | MOTION | LOAD | FACTOR, POSITION | MOTION | WARM},
 };

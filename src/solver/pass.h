@@ -5,7 +5,9 @@
 enum pass_kind {
     PASS_EACH, /* one loop over particles; REDUCE when it also finds extremes */
     PASS_PAIR, /* each particle sums over its neighbours */
-    PASS_ORDER /* sorting and neighbour rows */
+    PASS_ORDER, /* sorting and neighbour rows */
+    PASS_LOOP, /* the passes up to the next PASS_END repeat until their residual is small */
+    PASS_END
 };
 
 enum pass_id {
@@ -17,8 +19,19 @@ enum pass_id {
     PASS_FORCE,
     PASS_WALLS,
     PASS_CORRECT,
+    PASS_FACTOR,
+    PASS_SOLVE_DIVERGENCE,
+    PASS_SOLVE_DENSITY,
+    PASS_PUSH,
+    PASS_SWEEP,
+    PASS_SOLVED,
+    PASS_PROJECT,
+    PASS_KICK,
+    PASS_MOVE,
     PASS_COUNT
 };
+
+enum { STEP_PASSES_MAX = 32 }; /* of one step; a pass may occur more than once */
 
 struct pass_row {
     enum pass_id id;

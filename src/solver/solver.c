@@ -6,6 +6,7 @@
 
 static const struct variant *const rows[] = {
     &solver_wcsph.variant,
+    &solver_dfsph.variant,
     &solver_muller.variant,
 };
 
@@ -23,8 +24,9 @@ double solver_support(const struct solver_row *solver, const struct scene *scene
     if (strcmp(name, "auto") == 0 || strcmp(solver->kernel, "poly6") == 0)
         name = solver->kernel;
     *kernel = (const struct kernel_row *)variant_find(&kernel_table, name);
-    double support = scene->solver.support;
-    return (isnan(support) ? (*kernel)->support : support) * scene->particles.spacing;
+    double support = scene->solver.support, usual = (*kernel)->support;
+    usual = solver->support > 0 ? solver->support : usual;
+    return (isnan(support) ? usual : support) * scene->particles.spacing;
 }
 
 static double length3(const double v[3])
@@ -122,7 +124,10 @@ static void choose_scales(const struct scene *scene, const struct space *space,
                           struct solver_choice *choice)
 {
     double h = choice->smoothing_length, d = choice->spacing, sigma = choice->kernel->sigma;
-    choice->pair.gradient = (float)(sigma * d * d * d / (h * h * h * h));
+    choice->moment = kernel_lattice_moment(choice->kernel, 2 * h / d) /
+                     kernel_lattice_sum(choice->kernel, 2 * h / d);
+    choice->pair.gradient = (float)(sigma * d * d * d / (h * h * h * h) / choice->moment);
+    choice->each.normal = (float)(1 / choice->moment);
     choice->pair.density = (float)(sigma * d * d * d / (h * h * h));
     choice->pair.self = 1; /* w(0) of every kernel */
     for (int a = 0; a < 3; a++) {
@@ -137,7 +142,7 @@ static void choose_scales(const struct scene *scene, const struct space *space,
     choice->each.spacing = (float)d;
     choice->each.h = (float)h;
     choice->each.number_density = choice->pair.density;
-    kernel_plane_table(choice->kernel, &choice->each.planes);
+    kernel_plane_table(choice->kernel, choice->support / d, &choice->each.planes);
 }
 
 void solver_choose(const struct solver_row *solver, const struct scene *scene,
@@ -154,10 +159,10 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     choose_walls(scene, space, choice);
     choose_scales(scene, space, choice);
     choose_fluids(scene, fluid_volume, fluid_particles, choice);
-    choice->limits.acoustic =
-        (isnan(scene->time.cfl) ? solver->cfl : scene->time.cfl) * choice->smoothing_length;
+    choice->cfl = isnan(scene->time.cfl) ? solver->cfl : scene->time.cfl;
+    choice->limits.acoustic = choice->cfl * choice->smoothing_length;
     choice->limits.force = 0.25;
     choice->limits.user = isnan(scene->time.step) ? INFINITY : scene->time.step;
     solver->choose(scene, choice);
-    choice->each.rest_speed = (float)(1e-12 * choice->sound_speed);
+    choice->each.rest_speed = (float)(1e-12 * fmax(choice->sound_speed, choice->fastest));
 }

@@ -5,7 +5,7 @@
 #include "base/variant.h"
 #include "particles/space.h"
 #include "scene/scene.h"
-#include "solver/explicit.h"
+#include "solver/implicit.h"
 #include "solver/kernel.h"
 #include "solver/pair_constants.h"
 #include "solver/pass.h"
@@ -21,6 +21,12 @@ struct step_limits {
     double user;      /* time.step */
 };
 
+/* When the sweeps of an implicit solve end. */
+struct solve_limits {
+    double tolerance; /* mean positive compression */
+    int least, most;  /* sweeps */
+};
+
 struct solver_choice {
     const struct kernel_row *kernel;
     double spacing;          /* d, m */
@@ -30,17 +36,23 @@ struct solver_choice {
     double fastest;          /* expected largest speed, m/s */
     double depth;            /* expected depth for pressure, m, along gravity */
     struct step_limits limits;
+    double cfl;              /* of the scene or the solver */
+    double moment;           /* of gradients on the lattice, with masses as they are */
     unsigned flags;          /* enum pair_flag, and the kernel's */
     bool continuity;         /* density by continuity equation */
     bool wall_planes, wall_particles;
     struct pair_constants pair;
     struct explicit_constants each;
+    bool is_implicit;        /* pressure by solving; particles move last in a step */
+    struct implicit_constants implicit;
+    struct solve_limits solves[2]; /* by enum solve */
 };
 
 struct solver_row {
     struct variant variant;
     const char *kernel;         /* of "auto" */
     double cfl;                 /* C1 of "auto" */
+    double support;             /* support radius / spacing of "auto"; 0: the kernel's */
     const enum pass_id *passes; /* of one step, in order; the plan leaves out what is not wanted */
     size_t pass_count;
     /* Fills flags and the constants that are the solver's own; common ones are set before. */
@@ -48,7 +60,7 @@ struct solver_row {
 };
 
 extern const struct variant_table solver_table; /* "solvers" */
-extern const struct solver_row solver_wcsph, solver_muller;
+extern const struct solver_row solver_dfsph, solver_wcsph, solver_muller;
 
 /* Everything that follows from the scene and its solver. `cell_volume` of each body, m^3, and the
  * number of particles of each fluid give the particle masses. */

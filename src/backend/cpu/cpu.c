@@ -38,7 +38,10 @@ static enum status allocate(struct backend *b, struct error *e)
             b->wall_axis[a] = memory_create("coordinates", wall_padded, sizeof(uint32_t), e);
         ok = ok && (!w || b->wall_axis[a]);
     }
-    if (!b->choice.continuity) {
+    if (b->choice.is_implicit) {
+        b->residual = memory_create("residuals", n / PARTICLE_BLOCK + 1, sizeof(int64_t), e);
+        ok = ok && b->residual;
+    } else if (!b->choice.continuity) {
         b->number = memory_create("kernel sums", padded, sizeof(float), e);
         ok = ok && b->number;
     }
@@ -114,6 +117,7 @@ static void cpu_close(struct backend *b)
     memory_free(b->scratch);
     memory_free(b->spare);
     memory_free(b->number);
+    memory_free(b->residual);
     free(b);
 }
 
@@ -137,7 +141,7 @@ static enum status cpu_open(struct backend **out, const struct backend_setup *se
         goto failed;
     b->density = b->isa->find(PAIR_PASS_DENSITY, b->choice.flags, false);
     b->force = b->isa->find(PAIR_PASS_FORCE, b->choice.flags, b->wall.count > 0);
-    if (!b->force) {
+    if (!b->force && !b->choice.is_implicit) {
         error_set(e, STATUS_RUN, "no pair pass for flags %u", b->choice.flags);
         goto failed;
     }
@@ -186,6 +190,18 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_FORCE: cpu_pairs(b, b->force); break;
     case PASS_WALLS: cpu_walls(b); break;
     case PASS_CORRECT: cpu_correct(b, step); break;
+    case PASS_FACTOR: cpu_solve(b, step, PAIR_PASS_FACTOR); break;
+    case PASS_PUSH: cpu_solve(b, step, PAIR_PASS_PUSH); break;
+    case PASS_SWEEP: cpu_solve(b, step, PAIR_PASS_SWEEP); break;
+    case PASS_PROJECT: cpu_solve(b, step, PAIR_PASS_PROJECT); break;
+    case PASS_KICK: cpu_kick(b, step); break;
+    case PASS_MOVE:
+        cpu_solve(b, step, PAIR_PASS_PROJECT);
+        cpu_move(b, step);
+        break;
+    case PASS_SOLVE_DIVERGENCE:
+    case PASS_SOLVE_DENSITY:
+    case PASS_SOLVED:
     case PASS_COUNT: break;
     }
     b->counts.seconds[pass] += clock_seconds() - start;

@@ -19,6 +19,7 @@ struct backend {
     uint32_t *axis[3], *wall_axis[3];/* coordinates by axis, for the row build */
     void *spare;                     /* one field's worth of particles, for permuting */
     float *number;                   /* sum w; only with density by summation */
+    int64_t *residual;               /* of each block; only with an implicit solver */
     pair_function *density, *force;
     struct backend_counts counts;
     char text[128];
@@ -34,5 +35,19 @@ void cpu_correct(struct backend *b, struct step *step);
 void cpu_pressure(struct backend *b);
 void cpu_walls(struct backend *b);
 void cpu_pairs(struct backend *b, pair_function *pass);
+void cpu_kick(struct backend *b, struct step *step);
+void cpu_move(struct backend *b, struct step *step);
+
+/* A pair pass of the implicit solver; a sweep sets step->residual. */
+void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass);
+
+/* The positions that forces are evaluated at: an implicit solver moves particles last. */
+const struct position *cpu_position(const struct backend *b);
+struct pair_work cpu_pair_work(const struct backend *b);
+void cpu_pair_blocks(struct backend *b, const struct pair_work *work, pair_function *pass);
+
+/* Extremes over threads: none yet, and the larger of each. */
+struct extremes extremes_none(void);
+void extremes_merge(struct extremes *a, const struct extremes *b);
 
 #endif

@@ -5,6 +5,7 @@
 #include "base/variant.h"
 #include "grid/search.h"
 #include "particles/particles.h"
+#include "solver/implicit.h"
 #include "solver/pair_constants.h"
 
 #include <stdbool.h>
@@ -37,14 +38,29 @@ struct row_scratch {
     uint32_t count[PARTICLE_BLOCK];
 };
 
+/* What the implicit solver's passes read and write besides. */
+struct solve_work {
+    const struct explicit_constants *each;
+    const struct implicit_constants *implicit;
+    enum solve solve;
+    float dt;                   /* s */
+    struct position *load;
+    struct motion *flux, *motion;
+    struct factor *factor;
+    struct warm *warm;
+    float *density;
+    int64_t *residual;          /* of each block, in 2^-40 */
+};
+
 /* What a pair pass reads and writes; arrays are those of struct particles. */
 struct pair_work {
     struct pair_constants constants;
     const struct position *position;
     const struct motion *motion;
     const float *viscosity;    /* per particle, or NULL */
-    const float *density;      /* present density, kg/m^3 */
+    const float *density;      /* present density, kg/m^3; NULL: at rest density */
     const float *rest_density; /* of each fluid, kg/m^3 */
+    const float *inverse_density; /* 1 / rest density per particle; NULL: all fluids are alike */
     const uint8_t *fluid;      /* or NULL */
     struct rate *rate;         /* written by the force pass */
     float *number;             /* written by the density pass: sum w, to be scaled */
@@ -54,11 +70,19 @@ struct pair_work {
     const struct row_block *wall_rows;
     const uint32_t *wall_row_count;
     size_t count;
+    const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
 };
 
 typedef void pair_function(const struct pair_work *work, size_t first_block, size_t last_block);
 
-enum pair_pass { PAIR_PASS_DENSITY, PAIR_PASS_FORCE };
+enum pair_pass {
+    PAIR_PASS_DENSITY,
+    PAIR_PASS_FORCE,
+    PAIR_PASS_FACTOR,
+    PAIR_PASS_PUSH,    /* writes solve->flux */
+    PAIR_PASS_PROJECT, /* adds the push to solve->motion */
+    PAIR_PASS_SWEEP
+};
 
 struct isa_row {
     struct variant variant;

@@ -1,6 +1,7 @@
 /* The combinations of pair flags that solvers ask for: FORCE(flags) is expanded for each.
  * kernel (0, 1) + viscosity (0 none, 4 shared, 8 own) + 16 artificial + density (0 summation,
- * 32 continuity, 96 continuity with diffusion) + 128 symmetric pressure; 2 + ... is Mueller 2003. */
+ * 32 continuity, 96 continuity with diffusion) + 128 symmetric pressure; 256 + viscosity
+ * alone is an implicit solver's; 2 + ... is Mueller 2003. */
 FORCE(0) FORCE(1) FORCE(2) FORCE(4) FORCE(5) FORCE(6) FORCE(8) FORCE(9) FORCE(10) FORCE(16)
 FORCE(17) FORCE(20) FORCE(21) FORCE(24) FORCE(25) FORCE(32) FORCE(33) FORCE(36) FORCE(37)
 FORCE(40) FORCE(41) FORCE(48) FORCE(49) FORCE(52) FORCE(53) FORCE(56) FORCE(57) FORCE(96)
@@ -9,4 +10,4 @@ FORCE(120) FORCE(121) FORCE(128) FORCE(129) FORCE(130) FORCE(132) FORCE(133) FOR
 FORCE(137) FORCE(138) FORCE(144) FORCE(145) FORCE(148) FORCE(149) FORCE(152) FORCE(153) FORCE(160)
 FORCE(161) FORCE(164) FORCE(165) FORCE(168) FORCE(169) FORCE(176) FORCE(177) FORCE(180) FORCE(181)
 FORCE(184) FORCE(185) FORCE(224) FORCE(225) FORCE(228) FORCE(229) FORCE(232) FORCE(233) FORCE(240)
-FORCE(241) FORCE(244) FORCE(245) FORCE(248) FORCE(249)
+FORCE(241) FORCE(244) FORCE(245) FORCE(248) FORCE(249) FORCE(260) FORCE(261) FORCE(264) FORCE(265)

@@ -169,7 +169,8 @@ static inline void rate_store(const struct pair_work *w, size_t i, const struct 
     real_store(sum[4], s->diffusion);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
         struct rate *rate = &w->rate[i + l];
-        float density = w->density[i + l], front = c->gradient / density;
+        float rest = w->rest_density[w->fluid ? w->fluid[i + l] : 0];
+        float density = w->density ? w->density[i + l] : rest, front = c->gradient / density;
         for (int a = 0; a < 3; a++)
             rate->acceleration[a] = c->gravity[a] + front * settled(sum[a][l]);
         rate->density = c->gradient * (density * settled(sum[3][l]) + c->diffusion * settled(sum[4][l]));
@@ -250,12 +251,20 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
     density_blocks(w, first, last, PAIR_MULLER);
 }
 
+#include "backend/cpu/solve_loops.h"
+
 static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls)
 {
-    if (pass == PAIR_PASS_DENSITY)
-        return flags & PAIR_MULLER ? density_muller
-               : flags & KERNEL_CUBIC ? density_cubic
-                                      : density_wendland;
+    bool cubic = flags & KERNEL_CUBIC;
+    switch (pass) {
+    case PAIR_PASS_DENSITY:
+        return flags & PAIR_MULLER ? density_muller : cubic ? density_cubic : density_wendland;
+    case PAIR_PASS_FACTOR: return cubic ? factor_cubic : factor_wendland;
+    case PAIR_PASS_PUSH: return cubic ? push_cubic : push_wendland;
+    case PAIR_PASS_PROJECT: return cubic ? project_cubic : project_wendland;
+    case PAIR_PASS_SWEEP: return cubic ? sweep_cubic : sweep_wendland;
+    case PAIR_PASS_FORCE: break;
+    }
     return walls ? force_walls_table[flags] : force_table[flags];
 }
 

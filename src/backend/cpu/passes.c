@@ -4,12 +4,12 @@
 #include <float.h>
 #include <math.h>
 
-static struct extremes extremes_none(void)
+struct extremes extremes_none(void)
 {
     return (struct extremes){.bad = UINT32_MAX};
 }
 
-static void extremes_merge(struct extremes *a, const struct extremes *b)
+void extremes_merge(struct extremes *a, const struct extremes *b)
 {
     a->speed2 = b->speed2 > a->speed2 ? b->speed2 : a->speed2;
     a->acceleration2 = b->acceleration2 > a->acceleration2 ? b->acceleration2 : a->acceleration2;
@@ -101,21 +101,32 @@ void cpu_walls(struct backend *b)
     const struct explicit_constants *c = &b->choice.each;
     const struct particles *p = &b->particles;
     const float *density = particles_density(p);
+    const struct position *position = cpu_position(b);
+    bool pushes = !(b->choice.flags & PAIR_DRAG_ONLY);
 #pragma omp parallel for schedule(static)
-    for (size_t i = 0; i < p->count; i++)
-        explicit_walls(c, particles_fluid(p, i), &particles_position(p)[i],
-                       &particles_motion(p)[i], density[i], &particles_rate(p)[i]);
+    for (size_t i = 0; i < p->count; i++) {
+        int fluid = particles_fluid(p, i);
+        explicit_walls(c, fluid, &position[i], &particles_motion(p)[i],
+                       pushes ? density[i] : c->rest_density[fluid], pushes,
+                       &particles_rate(p)[i]);
+    }
 }
 
-void cpu_pairs(struct backend *b, pair_function *pass)
+const struct position *cpu_position(const struct backend *b)
 {
     const struct particles *p = &b->particles;
-    struct pair_work work = {
+    return b->choice.is_implicit ? p->before[FIELD_POSITION] : p->now[FIELD_POSITION];
+}
+
+struct pair_work cpu_pair_work(const struct backend *b)
+{
+    const struct particles *p = &b->particles;
+    return (struct pair_work){
         .constants = b->choice.pair,
-        .position = particles_position(p),
+        .position = cpu_position(b),
         .motion = particles_motion(p),
         .viscosity = p->now[FIELD_VISCOSITY],
-        .density = particles_density(p),
+        .density = b->choice.is_implicit ? NULL : particles_density(p),
         .rest_density = b->choice.each.rest_density,
         .fluid = p->now[FIELD_FLUID],
         .rate = particles_rate(p),
@@ -127,9 +138,19 @@ void cpu_pairs(struct backend *b, pair_function *pass)
         .wall_row_count = b->wall_rows.count,
         .count = p->count,
     };
-    size_t blocks = (p->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
+}
+
+void cpu_pair_blocks(struct backend *b, const struct pair_work *work, pair_function *pass)
+{
+    size_t blocks = (work->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
 #pragma omp parallel for schedule(dynamic, 16)
     for (size_t block = 0; block < blocks; block++)
-        pass(&work, block, block + 1);
+        pass(work, block, block + 1);
     b->counts.pairs += b->rows.entries + b->wall_rows.entries;
+}
+
+void cpu_pairs(struct backend *b, pair_function *pass)
+{
+    struct pair_work work = cpu_pair_work(b);
+    cpu_pair_blocks(b, &work, pass);
 }

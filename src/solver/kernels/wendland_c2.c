@@ -9,10 +9,16 @@ static double value(double q)
     return t * t * t * t * (1 + 2 * q);
 }
 
+static double slope(double q)
+{
+    return -5 * (1 - q / 2) * (1 - q / 2) * (1 - q / 2);
+}
+
 const struct kernel_row kernel_wendland_c2 = {
     .variant = {.name = "wendland-c2", .doc = "Wendland 1995 C2, stable against pairing"},
     .support = 2.6,
     .sigma = 21 / (16 * 3.14159265358979323846),
     .value = value,
+    .slope = slope,
     .flag = 0,
 };

@@ -1,0 +1,91 @@
+/* The implicit solver's passes on the cpu: bodies from solver/implicit.h, loops over threads here. */
+#include "backend/cpu/cpu.h"
+
+#include <float.h>
+#include <math.h>
+
+/* Trial pressures of the blocks' sweeps; the sum of integers does not depend on its order. */
+static double mean_residual(const int64_t *residual, size_t blocks, size_t particles)
+{
+    int64_t sum = 0;
+#pragma omp parallel for schedule(static) reduction(+ : sum)
+    for (size_t k = 0; k < blocks; k++)
+        sum += residual[k];
+    return particles ? (double)sum * 0x1p-40 / (double)particles : 0;
+}
+
+void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
+{
+    struct particles *p = &b->particles;
+    struct solve_work solve = {
+        .each = &b->choice.each,
+        .implicit = &b->choice.implicit,
+        .solve = step->solve,
+        .dt = step->dt,
+        .load = p->now[FIELD_LOAD],
+        .flux = p->now[FIELD_FLUX],
+        .motion = particles_motion(p),
+        .factor = p->now[FIELD_FACTOR],
+        .warm = p->now[FIELD_WARM],
+        .density = particles_density(p),
+        .residual = b->residual,
+    };
+    struct pair_work work = cpu_pair_work(b);
+    work.motion = p->before[FIELD_MOTION];
+    work.solve = &solve;
+    cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, b->wall.count > 0));
+    if (pass == PAIR_PASS_SWEEP)
+        step->residual = mean_residual(b->residual, (p->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK,
+                                       p->count);
+}
+
+void cpu_kick(struct backend *b, struct step *step)
+{
+    struct particles *p = &b->particles;
+    const struct rate *rate = p->now[FIELD_RATE];
+    const struct warm *warm = p->now[FIELD_WARM];
+    struct position *load = p->now[FIELD_LOAD];
+    const float *gravity = b->choice.pair.gravity;
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < p->count; i++) {
+        struct motion *motion = &particles_motion(p)[i];
+        const float *a = rate ? rate[i].acceleration : gravity;
+        for (int d = 0; d < 3; d++)
+            motion->velocity[d] += step->dt * a[d];
+        motion->pressure = warm[i].density;
+        load[i].volume = b->choice.implicit.volume[particles_fluid(p, i)] * motion->pressure;
+    }
+}
+
+void cpu_move(struct backend *b, struct step *step)
+{
+    const struct explicit_constants *c = &b->choice.each;
+    struct particles *p = &b->particles;
+    const struct position *x0 = p->before[FIELD_POSITION];
+    const struct motion *v0 = p->before[FIELD_MOTION];
+    float limit = 0.25f * c->spacing * c->spacing; /* half a spacing */
+    struct extremes all = extremes_none();
+#pragma omp parallel
+    {
+        struct extremes own = extremes_none();
+#pragma omp for schedule(static)
+        for (size_t i = 0; i < p->count; i++) {
+            struct motion *v = &particles_motion(p)[i];
+            float move2 = implicit_move(c, step->dt, &x0[i], &particles_position(p)[i], v);
+            float v2 = 0, a2 = 0;
+            for (int d = 0; d < 3; d++) {
+                float a = (v->velocity[d] - v0[i].velocity[d]) / step->dt;
+                v2 += v->velocity[d] * v->velocity[d];
+                a2 += a * a;
+            }
+            own.move2 = move2 > own.move2 ? move2 : own.move2;
+            own.speed2 = v2 > own.speed2 ? v2 : own.speed2;
+            own.acceleration2 = a2 > own.acceleration2 ? a2 : own.acceleration2;
+            if (!(move2 <= limit) || !(v2 < FLT_MAX) || !(v->pressure < FLT_MAX))
+                own.bad = particles_id(p)[i] < own.bad ? particles_id(p)[i] : own.bad;
+        }
+#pragma omp critical
+        extremes_merge(&all, &own);
+    }
+    step->extremes = all;
+}

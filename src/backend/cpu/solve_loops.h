@@ -1,0 +1,199 @@
+/* The loops around the implicit solver's pair bodies; part of pair_loops.h. */
+
+/* Sums over the row of LANES particles, two entries at a time; `body` adds entry `index` to them. */
+#define ROW_LOOP(row, length, body)                                                                \
+    do {                                                                                           \
+        uint32_t row_k = 0;                                                                        \
+        for (; row_k + 1 < (length); row_k += 2) {                                                 \
+            const uint32_t *index = (row) + (size_t)row_k * PARTICLE_BLOCK;                        \
+            body;                                                                                  \
+            index += PARTICLE_BLOCK;                                                               \
+            body;                                                                                  \
+        }                                                                                          \
+        if (row_k < (length)) {                                                                    \
+            const uint32_t *index = (row) + (size_t)row_k * PARTICLE_BLOCK;                        \
+            body;                                                                                  \
+        }                                                                                          \
+    } while (0)
+
+static inline int solve_fluid(const struct pair_work *w, size_t i)
+{
+    return w->fluid ? w->fluid[i] : 0;
+}
+
+/* Adds a row of particles or wall particles to the factors; entries beyond a count do not count. */
+FORCE_INLINE void factor_row(const struct pair_work *w, const struct lane_point *point,
+                             const struct position *records, const uint32_t *row,
+                             const uint32_t *count, bool wall, struct pair_factors *s,
+                             const unsigned flags)
+{
+    const bool densities = !wall && w->inverse_density;
+    real far = real_set(16), zero = real_set(0);
+    real same = wall ? zero : real_set(1 / w->rest_density[0]);
+    uint32_t length = longest(count);
+    for (uint32_t k = 0; k < length; k++) {
+        const uint32_t *index = row + (size_t)k * PARTICLE_BLOCK;
+        real other[4];
+        records_load(records, index, other);
+        struct pair p = pair_between(point, other);
+        p.q = real_below(k, count, p.q, far);
+        real inverse = densities ? lookup_load(w->inverse_density, index) : same;
+        pair_factor(s, &p, other[3], inverse, flags);
+    }
+}
+
+FORCE_INLINE void factor_store(const struct pair_work *w, size_t i, const struct pair_factors *s)
+{
+    const struct solve_work *solve = w->solve;
+    float sum[5][LANES];
+    real_store(sum[0], s->gx);
+    real_store(sum[1], s->gy);
+    real_store(sum[2], s->gz);
+    real_store(sum[3], s->number);
+    real_store(sum[4], s->squares);
+    for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+        size_t k = i + l;
+        int fluid = solve_fluid(w, k);
+        const struct position *x = &w->position[k];
+        float gradient[3] = {sum[0][l], sum[1][l], sum[2][l]}, p = solve->warm[k].divergence;
+        implicit_factor(solve->each, solve->implicit, fluid, x, sum[3][l], gradient, sum[4][l],
+                        &solve->factor[k], &solve->density[k]);
+        solve->motion[k] = w->motion[k];
+        solve->motion[k].pressure = p;
+        solve->load[k] = *x;
+        solve->load[k].volume = x->volume * p;
+    }
+}
+
+FORCE_INLINE void factor_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                                const unsigned flags)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        const size_t block = i / PARTICLE_BLOCK, lane = i % PARTICLE_BLOCK;
+        real volume, zero = real_set(0);
+        struct lane_point point = point_load(w, i, &volume);
+        struct pair_factors s = {volume * real_set(w->constants.self), zero, zero, zero, zero};
+        factor_row(w, &point, w->position, w->rows[block].index + lane, w->row_count + i, false,
+                   &s, flags);
+        if (w->wall)
+            factor_row(w, &point, w->wall, w->wall_rows[block].index + lane,
+                       w->wall_row_count + i, true, &s, flags);
+        factor_store(w, i, &s);
+    }
+}
+
+/* The trial velocity of the particle at k, or with `project` the new velocity. */
+static inline void push_store(const struct pair_work *w, size_t k, const float sum[3],
+                              bool project)
+{
+    const struct solve_work *solve = w->solve;
+    int fluid = solve_fluid(w, k);
+    struct motion *motion = &solve->motion[k];
+    float a[3], volume = solve->implicit->volume[fluid], v[3];
+    implicit_push(solve->each, solve->implicit, fluid, &solve->factor[k], motion->pressure, sum, a);
+    for (int d = 0; d < 3; d++)
+        v[d] = motion->velocity[d] + solve->dt * a[d];
+    if (!project) {
+        for (int d = 0; d < 3; d++)
+            solve->flux[k].velocity[d] = volume * v[d];
+        return;
+    }
+    for (int d = 0; d < 3; d++)
+        motion->velocity[d] = v[d];
+    if (solve->solve == SOLVE_DIVERGENCE) {
+        solve->warm[k].divergence = motion->pressure;
+    } else {
+        solve->warm[k].density = motion->pressure;
+        motion->pressure = solve->implicit->pressure *
+                           (motion->pressure + solve->warm[k].divergence);
+    }
+}
+
+FORCE_INLINE void push_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                              bool project, const unsigned flags)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
+        uint32_t length = longest(w->row_count + i);
+        real volume, zero = real_set(0), sum[3] = {zero, zero, zero};
+        struct lane_point point = point_load(w, i, &volume);
+        ROW_LOOP(row, length, {
+            real other[4];
+            records_load(w->solve->load, index, other);
+            struct pair p = pair_between(&point, other);
+            pair_push(sum, &p, other[3], flags);
+        });
+        float out[3][LANES];
+        for (int d = 0; d < 3; d++)
+            real_store(out[d], sum[d]);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+            float own[3] = {out[0][l], out[1][l], out[2][l]};
+            push_store(w, i + l, own, project);
+        }
+    }
+}
+
+/* Relaxes the pressure at k; returns its compression in 2^-40. */
+static inline int64_t sweep_store(const struct pair_work *w, size_t k, float sum)
+{
+    const struct solve_work *solve = w->solve;
+    int fluid = solve_fluid(w, k);
+    float ratio = solve->density[k] / w->rest_density[fluid];
+    float base = implicit_base(solve->implicit, solve->solve, ratio);
+    float *pressure = &solve->motion[k].pressure, error = 0;
+    if (solve->solve == SOLVE_DIVERGENCE && ratio < solve->implicit->sparse)
+        *pressure = 0;
+    else
+        error = implicit_sweep(solve->implicit, fluid, solve->dt, base, &solve->factor[k],
+                               solve->flux[k].velocity, sum, pressure);
+    solve->load[k].volume = solve->implicit->volume[fluid] * *pressure;
+    return (int64_t)((error < 1024 ? error : 1024) * 0x1p40f);
+}
+
+FORCE_INLINE void sweep_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                               const unsigned flags)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        const size_t block = i / PARTICLE_BLOCK;
+        const uint32_t *row = w->rows[block].index + i % PARTICLE_BLOCK;
+        uint32_t length = longest(w->row_count + i);
+        real volume, sum = real_set(0);
+        struct lane_point point = point_load(w, i, &volume);
+        ROW_LOOP(row, length, {
+            real other[4];
+            real flux[4];
+            records_load(w->position, index, other);
+            records_load(w->solve->flux, index, flux);
+            struct pair p = pair_between(&point, other);
+            pair_sweep(&sum, &p, flux, flags);
+        });
+        float out[LANES];
+        int64_t residual = i % PARTICLE_BLOCK ? w->solve->residual[block] : 0;
+        real_store(out, sum);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++)
+            residual += sweep_store(w, i + l, out[l]);
+        w->solve->residual[block] = residual;
+    }
+}
+
+#define SOLVE(name, flags)                                                                         \
+    static void factor_##name(const struct pair_work *w, size_t first, size_t last)                \
+    {                                                                                              \
+        factor_blocks(w, first, last, flags);                                                      \
+    }                                                                                              \
+    static void push_##name(const struct pair_work *w, size_t first, size_t last)                  \
+    {                                                                                              \
+        push_blocks(w, first, last, false, flags);                                                 \
+    }                                                                                              \
+    static void project_##name(const struct pair_work *w, size_t first, size_t last)               \
+    {                                                                                              \
+        push_blocks(w, first, last, true, flags);                                                  \
+    }                                                                                              \
+    static void sweep_##name(const struct pair_work *w, size_t first, size_t last)                 \
+    {                                                                                              \
+        sweep_blocks(w, first, last, flags);                                                       \
+    }
+SOLVE(wendland, 0)
+SOLVE(cubic, KERNEL_CUBIC)
+#undef SOLVE
+#undef ROW_LOOP

@@ -1,0 +1,96 @@
+/* One try of a time step: the planned passes in order, loops until they are solved. */
+#include "run/step.h"
+
+#include <math.h>
+
+enum status step_pass(struct simulation *s, enum pass_id pass, struct step *step, struct error *e)
+{
+    return s->row->run(s->backend, pass, step, e);
+}
+
+/* Whether a loop goes on after another sweep; counts it. */
+static bool sweep_again(struct simulation *s, const struct step *step, int sweeps)
+{
+    const struct solve_limits *limit = &s->plan->choice.solves[step->solve];
+    struct solve_stats *stats = &s->stats.solves[step->solve];
+    bool solved = step->residual <= limit->tolerance;
+    stats->sweeps++;
+    stats->most = sweeps > stats->most ? sweeps : stats->most;
+    stats->residual = step->residual;
+    if (sweeps >= limit->most && !solved)
+        stats->unsolved++;
+    return sweeps < limit->least || (sweeps < limit->most && !solved);
+}
+
+/* Runs passes k.. of the plan up to the next one of kind `end`, once. */
+static enum status run_passes(struct simulation *s, size_t first, size_t last, struct step *step,
+                              struct error *e)
+{
+    for (size_t k = first; k < last; k++)
+        if (step_pass(s, s->plan->passes[k]->id, step, e))
+            return e->status;
+    return STATUS_OK;
+}
+
+/* Repeats the loop that begins at pass `loop`; sets *end to its last. */
+static enum status run_loop(struct simulation *s, size_t loop, size_t *end, struct step *step,
+                            struct error *e)
+{
+    const struct plan *plan = s->plan;
+    *end = loop + 1;
+    while (plan->passes[*end]->kind != PASS_END)
+        ++*end;
+    step->solve = plan->passes[loop]->id == PASS_SOLVE_DENSITY ? SOLVE_DENSITY : SOLVE_DIVERGENCE;
+    for (int sweeps = 1;; sweeps++) {
+        if (run_passes(s, loop + 1, *end, step, e))
+            return e->status;
+        if (!sweep_again(s, step, sweeps))
+            return STATUS_OK;
+    }
+}
+
+/* Whether a pass reports extremes, hence particles that must not move so. */
+static bool reports(enum pass_id id)
+{
+    return id == PASS_PREDICT || id == PASS_CORRECT || id == PASS_MOVE;
+}
+
+enum status step_try(struct simulation *s, double dt, uint32_t *bad, struct error *e)
+{
+    const struct plan *plan = s->plan;
+    struct step step = {.dt = (float)dt};
+    double moved = 0;
+    *bad = UINT32_MAX;
+    s->row->begin(s->backend);
+    for (size_t k = 0; k < plan->pass_count && *bad == UINT32_MAX; k++) {
+        const struct pass_row *pass = plan->passes[k];
+        if (pass->kind == PASS_ORDER)
+            continue;
+        if (pass->kind == PASS_LOOP ? run_loop(s, k, &k, &step, e)
+                                    : step_pass(s, pass->id, &step, e))
+            return e->status;
+        if (reports(pass->id)) {
+            moved = fmax(moved, sqrt(step.extremes.move2));
+            *bad = step.extremes.bad;
+        }
+    }
+    if (*bad != UINT32_MAX) {
+        s->row->reject(s->backend);
+        s->stats.rejected++;
+        return STATUS_OK;
+    }
+    s->moved += moved;
+    s->extremes = step.extremes;
+    return STATUS_OK;
+}
+
+enum status step_forces(struct simulation *s, struct step *step, struct error *e)
+{
+    size_t first = 0, last = 0;
+    for (size_t k = 0; k < s->plan->pass_count; k++) {
+        enum pass_id id = s->plan->passes[k]->id;
+        first = id == PASS_PREDICT ? k + 1 : first;
+        last = id == PASS_CORRECT ? k : last;
+    }
+    return run_passes(s, first, last, step, e);
+}
