@@ -15,8 +15,8 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_VISCOSITY] = {"viscosity", "dynamic viscosity", sizeof(float), 1},
     [FIELD_LOAD] = {"load", "position, volume times pressure", sizeof(struct position), 1},
     [FIELD_FLUX] = {"flux", "volume times trial velocity", sizeof(struct motion), 1},
-    [FIELD_FACTOR] = {"factor", "kernel gradient sum, inverse diagonal", 4 * sizeof(float), 1},
-    [FIELD_WARM] = {"warm", "pressures that the next solves start from", 2 * sizeof(float), 1},
+    [FIELD_FACTOR] = {"factor", "kernel gradient sum, diagonal, walls, density", 8 * sizeof(float), 1},
+    [FIELD_WARM] = {"warm", "pressures that the next solves start from", sizeof(float), 1},
 };
 
 enum status particles_create(struct particles *particles, size_t count, unsigned fields,

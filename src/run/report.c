@@ -54,7 +54,7 @@ static void write_phases(FILE *f, const struct report *r, const struct backend_c
 
 static void write_solves(FILE *f, const struct simulation *s)
 {
-    static const char *const names[] = {[SOLVE_DIVERGENCE] = "divergence", [SOLVE_DENSITY] = "density"};
+    static const char *const names[] = {[SOLVE_VELOCITY] = "velocity", [SOLVE_SHIFT] = "shift"};
     double tries = (double)(s->stats.steps + s->stats.rejected);
     fputs("  \"solves\": {", f);
     for (int k = 0; k < 2; k++) {

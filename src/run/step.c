@@ -40,7 +40,7 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
     *end = loop + 1;
     while (plan->passes[*end]->kind != PASS_END)
         ++*end;
-    step->solve = plan->passes[loop]->id == PASS_SOLVE_DENSITY ? SOLVE_DENSITY : SOLVE_DIVERGENCE;
+    step->solve = plan->passes[loop]->id == PASS_SOLVE_SHIFT ? SOLVE_SHIFT : SOLVE_VELOCITY;
     for (int sweeps = 1;; sweeps++) {
         if (run_passes(s, loop + 1, *end, step, e))
             return e->status;

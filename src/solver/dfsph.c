@@ -7,19 +7,18 @@
 static const struct key keys[] = {
     {.path = "solver.density_error", .type = KEY_REAL, .flags = KEY_ABOVE_MIN, .fallback = "1e-4",
      .min = 0, .max = 0.1, .unit = "", .offset = KEY_OPTION,
-     .doc = "mean compression (rho - rho0)/rho0 that a step may leave"},
+     .doc = "mean compression (rho - rho0)/rho0 that shifting may leave"},
     {.path = "solver.divergence_error", .type = KEY_REAL, .flags = KEY_ABOVE_MIN,
-     .fallback = "1e-3", .min = 0, .max = 1, .unit = "", .offset = KEY_OPTION,
-     .doc = "mean compression by the velocity before forces, over one step"},
+     .fallback = "1e-5", .min = 0, .max = 1, .unit = "", .offset = KEY_OPTION,
+     .doc = "mean compression by one step of the velocity"},
     {.path = "solver.sweeps", .type = KEY_INT, .fallback = "100", .min = 1, .max = 10000,
      .unit = "", .offset = KEY_OPTION, .doc = "largest number of sweeps of a solve"},
 };
 
 static const enum pass_id passes[] = {
-    PASS_SORT,  PASS_NEIGHBOURS,    PASS_FACTOR, PASS_SOLVE_DIVERGENCE, PASS_PUSH,
-    PASS_SWEEP, PASS_SOLVED,        PASS_PROJECT, PASS_FORCE,           PASS_WALLS,
-    PASS_KICK,  PASS_SOLVE_DENSITY, PASS_PUSH,   PASS_SWEEP,            PASS_SOLVED,
-    PASS_MOVE,
+    PASS_SORT,  PASS_NEIGHBOURS, PASS_FACTOR, PASS_FORCE, PASS_WALLS, PASS_KICK,
+    PASS_SOLVE_VELOCITY, PASS_PUSH, PASS_SWEEP, PASS_SOLVED, PASS_PROJECT,
+    PASS_SOLVE_SHIFT, PASS_SWEEP, PASS_PUSH, PASS_SOLVED, PASS_MOVE,
 };
 
 static void choose(const struct scene *scene, struct solver_choice *choice)
@@ -34,13 +33,14 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     choice->implicit.omega = (float)(0.8 * 2 / radius);
     choice->implicit.pressure = (float)choice->moment;
     choice->implicit.most = 0.02f;
-    choice->implicit.sparse = 0.65f;
+    choice->implicit.slack = 0.03f;
+    choice->implicit.restore = 0.03f;
     for (size_t f = 0; f < scene->fluid_count; f++)
         choice->implicit.volume[f] = choice->each.mass[f] / choice->each.rest_density[f];
-    choice->solves[SOLVE_DIVERGENCE] = (struct solve_limits){
+    choice->solves[SOLVE_VELOCITY] = (struct solve_limits){
         scene_real(scene, "solver.divergence_error"), 1, most};
-    choice->solves[SOLVE_DENSITY] = (struct solve_limits){
-        scene_real(scene, "solver.density_error"), 2, most};
+    choice->solves[SOLVE_SHIFT] = (struct solve_limits){
+        scene_real(scene, "solver.density_error"), 1, most};
     if (choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         choice->flags |= PAIR_DRAG_ONLY;
 }

@@ -2,20 +2,27 @@
  *
  * DFSPH (Bender & Koschier 2015, 2017) with P = rho0^2 kappa, in Pa, so that a pressure keeps its
  * meaning when the time step changes. At fixed positions, for a velocity u:
- *   divergence  D_i(u) = sum_j V_j (u_i - u_j) . grad W_ij + u_i . (wall gradient)
- *                      = u_i . G_i - sum_j V_j u_j . grad W_ij,  G_i = sum_j V_j grad W_ij + walls
- *   push        a_i(P) = -1/rho0_i (P_i G_i + sum_j V_j P_j grad W_ij)
- * which is minus the adjoint of D, so momentum and symmetry are kept; a wall answers with the
- * particle's own pressure (Bender et al. 2023). Both solves look for P >= 0 with
- *   C_i = base_i + dt D_i(v + dt a(P)) <= 0, base_i = rho_i/rho0_i - 1 or 0 (divergence-free),
- * by sweeps P_i <- max(0, P_i + omega C_i / (dt^2 diag_i)). In the common subset of C and CUDA. */
+ *   divergence  D_i(u) = S u_i . G_i - sum_j V_j S u_j . grad W_ij
+ *   with        G_i = sum_j V_j grad W_ij + twice the wall's: fluid mirrored in the plane comes closer
+ *                     at twice the speed and has the particle's pressure
+ *               S   = along each axis, 1 / what other axes' walls leave open: the mirrored fluid
+ *                     flows and pushes along the wall as the fluid does
+ *   push        a_i(P) = -S_i/rho0_i (P_i G_i + sum_j V_j P_j grad W_ij)
+ * which is minus the adjoint of D. Both solves look for P >= 0 with
+ *   C_i = base_i + dt D_i(u + dt a(P)) <= 0
+ * by sweeps P_i <- max(0, P_i + omega C_i / (dt^2 diag_i)). The velocity is made divergence-free
+ * (u = v, base a small part of the density error); where the fluid is dense C_i = 0 and P may be
+ * negative, so that a column at rest does not bounce like sand; where it is loose base is what is left
+ * up to rest density. Too much density is taken back by shifting particles (u = 0, base
+ * rho/rho0 - 1), which no velocity sees (Cornelis et al. 2019: else a density error delta in a column
+ * of height H throws its top with delta H / dt). In the common subset of C and CUDA. */
 #ifndef SOLVER_IMPLICIT_H
 #define SOLVER_IMPLICIT_H
 
 #include "solver/explicit.h"
 
 /* Which of the two solves a sweep belongs to. */
-enum solve { SOLVE_DIVERGENCE, SOLVE_DENSITY };
+enum solve { SOLVE_VELOCITY, SOLVE_SHIFT };
 
 struct implicit_constants {
     float volume[FLUIDS_MAX]; /* V = m / rho0, in d^3 */
@@ -23,26 +30,32 @@ struct implicit_constants {
     float omega;              /* relaxation of the sweeps */
     float pressure;           /* of a solve's P: the moment of its gradients (solver/kernel.h) */
     float most;               /* compression that one step takes back: overlaps part gently */
-    float sparse;             /* rho/rho0 below which divergence is not resisted: spray, surfaces */
+    float slack;              /* of density, below which fluid is loose */
+    float restore;            /* part of a density error that velocity takes back in a step */
 };
 
-/* 4 words of what does not change during a step's solves. */
+/* 8 words of what does not change during a step's solves. */
 struct factor {
     float gradient[3]; /* G, 1/m */
     float inverse;     /* 1 / diag: m^2 kg/m^3; 0 where nothing pushes back */
+    float along[3];    /* S: what walls add to flow and push along them, 1 away from walls */
+    float ratio;       /* rho / rho0 */
 };
 
-/* Pressures to start from in the next step, Pa. */
+/* What the next step's solves start from. */
 struct warm {
-    float divergence, density;
+    float velocity; /* Pa */
 };
 
-/* Wall part of the density and of G. Returns the density share. */
+/* Wall part of the density and of G, and S. Returns the density share. */
 static inline float implicit_wall(const struct explicit_constants *c, const struct position *x,
-                                  float gradient[3])
+                                  float gradient[3], float along[3])
 {
     float open[3];
-    if (!explicit_open(c, x, open))
+    bool near = explicit_open(c, x, open);
+    for (int a = 0; a < 3; a++)
+        along[a] = 1 / (open[(a + 1) % 3] * open[(a + 2) % 3]);
+    if (!near)
         return 0;
     for (int face = 0; face < 6; face++) {
         int n = face / 2;
@@ -51,7 +64,7 @@ static inline float implicit_wall(const struct explicit_constants *c, const stru
             continue;
         float part = open[(n + 1) % 3] * open[(n + 2) % 3];
         float area = part * plane_value(c->planes.area, (float)count * c->q_per_count[n]) / c->h;
-        gradient[n] -= face & 1 ? -area : area;
+        gradient[n] -= 2 * (face & 1 ? -area : area);
     }
     return 1 - open[0] * open[1] * open[2];
 }
@@ -65,11 +78,15 @@ static inline void implicit_factor(const struct explicit_constants *c,
     float g2 = 0, rest = c->rest_density[fluid];
     for (int a = 0; a < 3; a++)
         f->gradient[a] = m->gradient * sum[a];
-    float share = implicit_wall(c, x, f->gradient);
+    float share = implicit_wall(c, x, f->gradient, f->along), widest = 1;
     for (int a = 0; a < 3; a++)
-        g2 += f->gradient[a] * f->gradient[a];
-    *density = rest * (c->number_density * number + share);
-    float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) * squares;
+        g2 += f->gradient[a] * f->gradient[a] * (f->along[a] * f->along[a]);
+    for (int a = 0; a < 3; a++)
+        widest = f->along[a] > widest ? f->along[a] : widest;
+    f->ratio = c->number_density * number + share;
+    *density = rest * f->ratio;
+    float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) *
+                                     (widest * widest) * squares;
     bool weak = !(diagonal * rest * c->h * c->h > 1e-5f);
     f->inverse = weak ? 0 : 1 / diagonal;
 }
@@ -88,21 +105,31 @@ static inline void implicit_push(const struct explicit_constants *c,
 {
     float front = -1 / c->rest_density[fluid];
     for (int a = 0; a < 3; a++)
-        acceleration[a] = front * (pressure * f->gradient[a] +
+        acceleration[a] = front * f->along[a] * (pressure * f->gradient[a] +
                                    m->gradient * implicit_settled(sum[a]));
 }
 
-/* The compression before the step that a solve takes back. */
+/* Whether the fluid is dense here, so that it resists expansion as well: P may then be negative. A
+ * surface, a splash, a torn sheet resists compression only. */
+static inline bool implicit_holds(const struct implicit_constants *m, enum solve solve, float ratio)
+{
+    return solve == SOLVE_VELOCITY && ratio >= 1 - m->slack;
+}
+
+/* The compression before the step, as a solve counts it. */
 static inline float implicit_base(const struct implicit_constants *m, enum solve solve, float ratio)
 {
     float base = ratio - 1;
-    return solve == SOLVE_DIVERGENCE ? 0 : base < m->most ? base : m->most;
+    if (solve == SOLVE_VELOCITY)
+        return implicit_holds(m, solve, ratio) ? m->restore * base : base + m->slack;
+    return base < m->most ? base : m->most;
 }
 
-/* One relaxation of P; `flux` is V (v + dt a), sum = sum flux_j . slope x. Returns max(0, C). */
+/* One relaxation of P; `flux` is V (v + dt a), sum = sum flux_j . slope x. Returns |C|, or max(0, C)
+ * where expansion is free. */
 static inline float implicit_sweep(const struct implicit_constants *m, int fluid, float dt,
                                    float base, const struct factor *f, const float flux[3],
-                                   float sum, float *pressure)
+                                   float sum, bool holds, float *pressure)
 {
     float dot = 0;
     for (int a = 0; a < 3; a++)
@@ -110,19 +137,20 @@ static inline float implicit_sweep(const struct implicit_constants *m, int fluid
     float divergence = dot / m->volume[fluid] - m->gradient * implicit_settled(sum);
     float excess = base + dt * divergence;
     float next = *pressure + m->omega * f->inverse / (dt * dt) * excess;
-    *pressure = next > 0 ? next : 0;
-    return excess > 0 && f->inverse > 0 ? excess : 0;
+    *pressure = next > 0 || holds ? next : 0;
+    float error = holds ? fabsf(excess) : excess;
+    return error > 0 && f->inverse > 0 ? error : 0;
 }
 
-/* Moves a particle by v dt, off closed planes; returns the square of the distance, m^2 (INFINITY
+/* Moves a particle by (v + shift) dt, off closed planes; returns the square of the distance, m^2 (INFINITY
  * when runaway). */
 static inline float implicit_move(const struct explicit_constants *c, float dt,
-                                  const struct position *x0, struct position *x,
-                                  struct motion *v)
+                                  const struct position *x0, const float shift[3],
+                                  struct position *x, struct motion *v)
 {
     float move2 = 0;
     for (int a = 0; a < 3; a++) {
-        float speed = explicit_rest(c, v->velocity[a]), move = speed * dt;
+        float speed = explicit_rest(c, v->velocity[a]), move = (speed + shift[a]) * dt;
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing))
             return INFINITY;

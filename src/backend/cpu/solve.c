@@ -52,7 +52,7 @@ void cpu_kick(struct backend *b, struct step *step)
         const float *a = rate ? rate[i].acceleration : gravity;
         for (int d = 0; d < 3; d++)
             motion->velocity[d] += step->dt * a[d];
-        motion->pressure = warm[i].density;
+        motion->pressure = warm[i].velocity;
         load[i].volume = b->choice.implicit.volume[particles_fluid(p, i)] * motion->pressure;
     }
 }
@@ -62,7 +62,9 @@ void cpu_move(struct backend *b, struct step *step)
     const struct explicit_constants *c = &b->choice.each;
     struct particles *p = &b->particles;
     const struct position *x0 = p->before[FIELD_POSITION];
-    const struct motion *v0 = p->before[FIELD_MOTION];
+    const struct motion *v0 = p->before[FIELD_MOTION], *flux = p->now[FIELD_FLUX];
+    const struct warm *warm = p->now[FIELD_WARM];
+    const struct factor *factor = p->now[FIELD_FACTOR];
     float limit = 0.25f * c->spacing * c->spacing; /* half a spacing */
     struct extremes all = extremes_none();
 #pragma omp parallel
@@ -71,8 +73,12 @@ void cpu_move(struct backend *b, struct step *step)
 #pragma omp for schedule(static)
         for (size_t i = 0; i < p->count; i++) {
             struct motion *v = &particles_motion(p)[i];
-            float move2 = implicit_move(c, step->dt, &x0[i], &particles_position(p)[i], v);
-            float v2 = 0, a2 = 0;
+            float v2 = 0, a2 = 0, one = 1 / b->choice.implicit.volume[particles_fluid(p, i)];
+            float shift[3];
+            for (int d = 0; d < 3; d++)
+                shift[d] = one * flux[i].velocity[d] / factor[i].along[d];
+            float move2 = implicit_move(c, step->dt, &x0[i], shift, &particles_position(p)[i], v);
+            v->pressure = b->choice.implicit.pressure * warm[i].velocity;
             for (int d = 0; d < 3; d++) {
                 float a = (v->velocity[d] - v0[i].velocity[d]) / step->dt;
                 v2 += v->velocity[d] * v->velocity[d];

@@ -55,13 +55,11 @@ FORCE_INLINE void factor_store(const struct pair_work *w, size_t i, const struct
         size_t k = i + l;
         int fluid = solve_fluid(w, k);
         const struct position *x = &w->position[k];
-        float gradient[3] = {sum[0][l], sum[1][l], sum[2][l]}, p = solve->warm[k].divergence;
+        float gradient[3] = {sum[0][l], sum[1][l], sum[2][l]};
         implicit_factor(solve->each, solve->implicit, fluid, x, sum[3][l], gradient, sum[4][l],
                         &solve->factor[k], &solve->density[k]);
         solve->motion[k] = w->motion[k];
-        solve->motion[k].pressure = p;
         solve->load[k] = *x;
-        solve->load[k].volume = x->volume * p;
     }
 }
 
@@ -82,30 +80,24 @@ FORCE_INLINE void factor_blocks(const struct pair_work *w, size_t first_block, s
     }
 }
 
-/* The trial velocity of the particle at k, or with `project` the new velocity. */
+/* The trial velocity (or, in a shift, displacement / dt) of the particle at k; with `project` its
+ * new velocity, and a shift of zero to start from. */
 static inline void push_store(const struct pair_work *w, size_t k, const float sum[3],
                               bool project)
 {
     const struct solve_work *solve = w->solve;
     int fluid = solve_fluid(w, k);
-    struct motion *motion = &solve->motion[k];
-    float a[3], volume = solve->implicit->volume[fluid], v[3];
+    struct motion *motion = &solve->motion[k], *flux = &solve->flux[k];
+    float a[3], volume = solve->implicit->volume[fluid];
     implicit_push(solve->each, solve->implicit, fluid, &solve->factor[k], motion->pressure, sum, a);
-    for (int d = 0; d < 3; d++)
-        v[d] = motion->velocity[d] + solve->dt * a[d];
-    if (!project) {
-        for (int d = 0; d < 3; d++)
-            solve->flux[k].velocity[d] = volume * v[d];
-        return;
+    for (int d = 0; d < 3; d++) {
+        float v = (solve->solve == SOLVE_SHIFT ? 0 : motion->velocity[d]) + solve->dt * a[d];
+        flux->velocity[d] = project ? 0 : volume * solve->factor[k].along[d] * v;
+        motion->velocity[d] = project ? v : motion->velocity[d];
     }
-    for (int d = 0; d < 3; d++)
-        motion->velocity[d] = v[d];
-    if (solve->solve == SOLVE_DIVERGENCE) {
-        solve->warm[k].divergence = motion->pressure;
-    } else {
-        solve->warm[k].density = motion->pressure;
-        motion->pressure = solve->implicit->pressure *
-                           (motion->pressure + solve->warm[k].divergence);
+    if (project) {
+        solve->warm[k].velocity = motion->pressure;
+        motion->pressure = 0;
     }
 }
 
@@ -138,14 +130,12 @@ static inline int64_t sweep_store(const struct pair_work *w, size_t k, float sum
 {
     const struct solve_work *solve = w->solve;
     int fluid = solve_fluid(w, k);
-    float ratio = solve->density[k] / w->rest_density[fluid];
+    float ratio = solve->factor[k].ratio;
     float base = implicit_base(solve->implicit, solve->solve, ratio);
-    float *pressure = &solve->motion[k].pressure, error = 0;
-    if (solve->solve == SOLVE_DIVERGENCE && ratio < solve->implicit->sparse)
-        *pressure = 0;
-    else
-        error = implicit_sweep(solve->implicit, fluid, solve->dt, base, &solve->factor[k],
-                               solve->flux[k].velocity, sum, pressure);
+    float *pressure = &solve->motion[k].pressure, error;
+    error = implicit_sweep(solve->implicit, fluid, solve->dt, base, &solve->factor[k],
+                           solve->flux[k].velocity, sum,
+                           implicit_holds(solve->implicit, solve->solve, ratio), pressure);
     solve->load[k].volume = solve->implicit->volume[fluid] * *pressure;
     return (int64_t)((error < 1024 ? error : 1024) * 0x1p40f);
 }
