@@ -57,6 +57,20 @@ code 4 "Broken pipe" "a reader of hashes that leaves"
 timeout 20 "$SPH" $endless -o null --report "$work/no/r.json" >"$work/out" 2>&1; rc=$?
 code 4 "create it first" "a report in no directory"
 
+# Threads wait politely unless the caller has settings of their own.
+# spin NAME=VALUE...: the spin count of a run with these in its environment
+spin() {
+    env -u OMP_WAIT_POLICY -u GOMP_SPINCOUNT -u KMP_BLOCKTIME "$@" "$SPH" $endless -o null >"$work/out" 2>&1 &
+    pid=$!
+    sleep 1
+    tr '\0' '\n' <"/proc/$pid/environ" | sed -n 's/^GOMP_SPINCOUNT=//p'
+    kill -INT $pid
+    wait $pid
+}
+[ "$(spin SPH_UNUSED=1)" = 30000 ]; result $? "threads spin briefly"
+[ "$(spin OMP_WAIT_POLICY=passive)" = "" ]; result $? "OMP_WAIT_POLICY of the caller stays"
+[ "$(spin GOMP_SPINCOUNT=7)" = 7 ]; result $? "GOMP_SPINCOUNT of the caller stays"
+
 # stop SIGNAL OUT...: ends a run of hours after its first frames; its exit code is in $rc
 stop() {
     signal=$1
