@@ -54,6 +54,12 @@ run 0 "bodies[].shape" list
 run 2 "did you mean solvers" list solver
 run 2 "is of keys" list solvers --json-schema
 run 0 "Usage: sph-render list" list --help
+run 2 "--threads 2x: give a whole number" bench $scene --threads 2x
+run 2 "--from soon: give a time" bench $scene --from soon
+run 2 "--isa avx is unknown" bench $scene --isa avx
+run 2 "--steps 0: give a whole number" bench $scene --steps 0
+"$SPH" bench $scene --steps 1 --json --set 'title="say \"on\""' 2>"$work/out" | jq -e . >>"$work/out" 2>&1
+result $? "bench --json quotes titles"
 
 # A message begins with the place: FILE:LINE:COLUMN.
 bad() { # NAME LINE:COLUMN TEXT; the file is on stdin

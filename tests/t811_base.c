@@ -1,6 +1,7 @@
 /* Labelled memory, messages and progress, and queues between threads. */
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "base/queue.h"
 
 #include <pty.h>
@@ -209,6 +210,28 @@ static void queues_keep_order(void **state)
     queue_destroy(&back);
 }
 
+/* A claim is exclusive, whoever else holds it and however it is spelt, and leaves nothing behind. */
+static void claims_are_exclusive(void **state)
+{
+    char directory[] = "/tmp/claim-XXXXXX", path[64], other[64];
+    struct output_claim first, second;
+    struct error e;
+    (void)state;
+    assert_non_null(mkdtemp(directory));
+    snprintf(path, sizeof path, "%s/film.mp4", directory);
+    snprintf(other, sizeof other, "%s/./film.mp4", directory);
+    for (int k = 0; k < 2; k++) {
+        assert_int_equal(output_claim(&first, path, &e), STATUS_OK);
+        assert_int_equal(output_claim(&second, other, &e), STATUS_OUTPUT);
+        assert_non_null(strstr(e.text, "is being written already"));
+        output_release(&second); /* of nothing: harmless */
+        output_release(&first);
+    }
+    assert_int_equal(rmdir(directory), 0);
+    assert_int_equal(output_claim(&first, path, &e), STATUS_OUTPUT);
+    assert_int_equal(output_check(path, &e), STATUS_OUTPUT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -219,6 +242,7 @@ int main(void)
         cmocka_unit_test(colour_only_on_a_terminal),
         cmocka_unit_test(progress_only_on_a_terminal),
         cmocka_unit_test(queues_keep_order),
+        cmocka_unit_test(claims_are_exclusive),
     };
     return cmocka_run_group_tests_name("base", tests, NULL, NULL);
 }

@@ -1,15 +1,12 @@
 /* The table of encoders, and what can be said about an output before a run. */
 #include "encode/encode.h"
 
-#include <errno.h>
-#include <libgen.h>
-#include <limits.h>
+#include "base/output.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 extern const struct encoder_row encoder_mp4, encoder_png, encoder_hash, encoder_null;
 
@@ -54,6 +51,11 @@ static const char *const *known_extension(const struct encoder_row *row, const c
     return NULL;
 }
 
+bool encode_is_file(const struct encoder_row *row)
+{
+    return row->extensions[0][0] == '.';
+}
+
 const struct encoder_row *encode_find(const char *path, struct error *e)
 {
     char known[400] = "";
@@ -69,28 +71,6 @@ const struct encoder_row *encode_find(const char *path, struct error *e)
     error_set(e, STATUS_USAGE, "output \"%s\": no encoder writes such a file; known are %s", path,
               known);
     return NULL;
-}
-
-static enum status check_directory(const char *path, struct error *e)
-{
-    char copy[PATH_MAX];
-    struct stat info;
-    if (strlen(path) >= sizeof copy - 16)
-        return error_set(e, STATUS_OUTPUT, "output \"%s\": the name is too long", path);
-    strcpy(copy, path);
-    const char *directory = dirname(copy);
-    if (stat(directory, &info))
-        return error_set(e, STATUS_OUTPUT, "output \"%s\": directory \"%s\": %s%s", path, directory,
-                         strerror(errno), errno == ENOENT ? "; create it first" : "");
-    if (!S_ISDIR(info.st_mode))
-        return error_set(e, STATUS_OUTPUT, "output \"%s\": \"%s\" is no directory", path,
-                         directory);
-    if (access(directory, W_OK | X_OK))
-        return error_set(e, STATUS_OUTPUT, "output \"%s\": cannot write to directory \"%s\": %s",
-                         path, directory, strerror(errno));
-    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
-        return error_set(e, STATUS_OUTPUT, "output \"%s\": exists and is no regular file", path);
-    return STATUS_OK;
 }
 
 enum status encode_check(const struct encode_target *target, struct error *e)
@@ -109,7 +89,7 @@ enum status encode_check(const struct encode_target *target, struct error *e)
                          target->path, target->fps);
     if (row->check && row->check(target, e))
         return e->status;
-    if (**known_extension(row, target->path) == '.')
-        return check_directory(target->path, e);
+    if (encode_is_file(row))
+        return output_check(target->path, e);
     return STATUS_OK;
 }

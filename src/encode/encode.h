@@ -45,6 +45,9 @@ extern const struct variant_table encode_table; /* "encoders": mp4, png, hash, n
 /* The row for an output name, or NULL with STATUS_USAGE naming the known extensions. */
 const struct encoder_row *encode_find(const char *path, struct error *e);
 
+/* Does the row write files, as against a name like "null" that stands for itself? */
+bool encode_is_file(const struct encoder_row *row);
+
 /* Checks before the run, without writing: directory exists and is writable, pattern is right,
  * encoder is in this build. */
 enum status encode_check(const struct encode_target *target, struct error *e);

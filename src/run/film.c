@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "base/queue.h"
 #include "encode/encode.h"
 #include "scene/scene.h"
@@ -14,6 +15,7 @@
 struct output {
     const struct encoder_row *row;
     struct encoder *encoder;
+    struct output_claim claim; /* of a file */
 };
 
 /* A drawn frame on its way to the encoders. */
@@ -200,6 +202,22 @@ static enum status check_outputs(const struct film_setup *setup, struct error *e
     return STATUS_OK;
 }
 
+static enum status open_output(struct output *output, const struct film_setup *setup, size_t index,
+                               struct error *e)
+{
+    struct encode_target target = target_of(setup, index);
+    output->row = encode_find(target.path, e);
+    if (!output->row)
+        return e->status;
+    if (encode_is_file(output->row) && output_claim(&output->claim, target.path, e))
+        return e->status;
+    if (output->row->open(&output->encoder, &target, e)) {
+        output_release(&output->claim);
+        return e->status;
+    }
+    return STATUS_OK;
+}
+
 static enum status open_outputs(struct film *film, struct error *e)
 {
     const struct film_setup *setup = &film->setup;
@@ -207,10 +225,7 @@ static enum status open_outputs(struct film *film, struct error *e)
     if (!film->outputs)
         return e->status;
     for (size_t i = 0; i < setup->output_count; i++) {
-        struct encode_target target = target_of(setup, i);
-        struct output *output = &film->outputs[i];
-        output->row = encode_find(target.path, e);
-        if (!output->row || output->row->open(&output->encoder, &target, e))
+        if (open_output(&film->outputs[i], setup, i, e))
             return e->status;
         film->output_count++;
     }
@@ -402,6 +417,7 @@ enum status film_close(struct film *film, bool keep, struct film_times *times, s
             *e = closing;
             status = closing.status;
         }
+        output_release(&output->claim);
     }
     film->times.encode += clock_seconds() - start;
     if (times)

@@ -2,6 +2,7 @@
 #include "run/report.h"
 
 #include "base/memory.h"
+#include "scene/json.h"
 
 #include <errno.h>
 #include <math.h>
@@ -68,6 +69,14 @@ static void write_solves(FILE *f, const struct simulation *s)
     fputs("},\n", f);
 }
 
+/* "done", or the message of what ended the run early. */
+static void write_end(FILE *f, const struct error *end)
+{
+    char text[2 * sizeof end->text];
+    json_quote(end->status ? end->text : "done", text, sizeof text);
+    fprintf(f, "  \"end\": %s,\n", text);
+}
+
 static void write_body(FILE *f, const struct report *r, struct simulation *s)
 {
     const struct backend_counts *counts = s->row->counts(s->backend);
@@ -77,6 +86,7 @@ static void write_body(FILE *f, const struct report *r, struct simulation *s)
     fprintf(f, "  \"machine\": {\"processor\": \"%s\", \"processors\": %d},\n", report_processor(),
             omp_get_num_procs());
     fprintf(f, "  \"backend\": \"%s\",\n", s->row->describe(s->backend));
+    write_end(f, &r->end);
     if (r->renderer)
         fprintf(f, "  \"renderer\": \"%s\",\n", r->renderer);
     fprintf(f, "  \"particles\": %zu,\n  \"wall_particles\": %zu,\n", s->plan->bodies.count,

@@ -12,6 +12,7 @@ struct report_frame {
 };
 
 struct report {
+    struct error end;   /* how the run ended */
     double wall, solve; /* s */
     struct film_times film;
     const char *renderer; /* or NULL */

@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "run/frame.h"
 #include "run/report.h"
 
@@ -134,18 +135,48 @@ static void say_results(const struct session *x)
 {
     const struct simulation *s = &x->simulation;
     double n = (double)x->plan.bodies.count, steps = (double)s->stats.steps;
-    log_info("%zu frames, %ld steps (%ld rejected), %.1f s: solve %.1f s (%.0f ns per particle and "
+    log_info("%zu frame%s, %ld steps (%ld rejected), %.1f s: solve %.1f s (%.0f ns per particle and "
              "step), draw %.1f s, encode %.1f s",
-             x->report.frame_count, s->stats.steps, s->stats.rejected, x->report.wall,
+             x->report.frame_count, x->report.frame_count == 1 ? "" : "s", s->stats.steps,
+             s->stats.rejected, x->report.wall,
              x->report.solve, n > 0 && steps > 0 ? x->report.solve * 1e9 / n / steps : 0.0,
              x->report.film.draw, x->report.film.encode);
+}
+
+/* Ends the film, and keeps what an interrupted or stopped run has; a failed output cannot. */
+static void finish(struct session *x, const struct run_options *options, double start,
+                   struct error *e)
+{
+    static char renderer[256];
+    struct error closing = {STATUS_OK, ""};
+    bool keep = e->status == STATUS_OK || e->status == STATUS_INTERRUPTED ||
+                e->status == STATUS_RUN;
+    keep = keep && x->report.frame_count > 0;
+    if (film_renderer(x->film)) {
+        snprintf(renderer, sizeof renderer, "%s", film_renderer(x->film));
+        x->report.renderer = renderer;
+    }
+    if (film_close(x->film, keep, &x->report.film, &closing) &&
+        (e->status == STATUS_OK || e->status == STATUS_INTERRUPTED))
+        *e = closing;
+    log_progress_end();
+    x->report.wall = clock_seconds() - start;
+    x->report.end = *e;
+    if (e->status == STATUS_INTERRUPTED)
+        log_info("%s", e->text);
+    if (e->status == STATUS_OK || e->status == STATUS_INTERRUPTED)
+        say_results(x);
+    if (options->report && e->status != STATUS_OUTPUT &&
+        report_write(options->report, &x->report, &x->simulation, &closing) &&
+        e->status == STATUS_OK)
+        *e = closing;
 }
 
 static enum status session_run(struct session *x, const struct run_options *options,
                                struct error *e)
 {
     double start = clock_seconds();
-    struct error closing = {STATUS_OK, ""};
+    struct error closing;
     x->report.frames =
         memory_create("report", (size_t)x->schedule.count + 1, sizeof *x->report.frames, e);
     if (!x->report.frames || film_start(x, options, e))
@@ -155,34 +186,32 @@ static enum status session_run(struct session *x, const struct run_options *opti
         return e->status;
     }
     say_choices(x);
-    enum status status = run_frames(x, e);
-    /* An interrupted or stopped run keeps the frames it has; a failed output cannot. */
-    bool keep = status == STATUS_OK || status == STATUS_INTERRUPTED || status == STATUS_RUN;
-    keep = keep && x->report.frame_count > 0;
-    x->report.renderer = film_renderer(x->film);
-    static char renderer[256];
-    if (x->report.renderer) {
-        snprintf(renderer, sizeof renderer, "%s", x->report.renderer);
-        x->report.renderer = renderer;
-    }
-    film_close(x->film, keep, &x->report.film, &closing);
-    log_progress_end();
-    x->report.wall = clock_seconds() - start;
-    if (status == STATUS_OK && closing.status)
-        *e = closing;
-    if (e->status == STATUS_OK) {
-        say_results(x);
-        if (options->report)
-            report_write(options->report, &x->report, &x->simulation, e);
-    }
+    if (run_frames(x, e) == STATUS_OK)
+        e->status = STATUS_OK;
+    finish(x, options, start, e);
     simulation_close(&x->simulation);
     return e->status;
 }
 
-static void catch_interrupt(bool on)
+/* Signals that end a film early, but whole; a reader of our output who leaves is an error of that
+ * output. One that the caller ignores, as nohup does with SIGHUP, stays ignored, except SIGINT,
+ * which shells ignore for every background job. */
+static void catch_signals(bool on)
 {
-    struct sigaction action = {.sa_handler = on ? on_interrupt : SIG_DFL};
-    sigaction(SIGINT, &action, NULL);
+    static const struct {
+        int number;
+        void (*handler)(int);
+    } rows[] = {{SIGINT, on_interrupt}, {SIGTERM, on_interrupt}, {SIGHUP, on_interrupt},
+                {SIGPIPE, SIG_IGN}};
+    static struct sigaction before[sizeof rows / sizeof *rows];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct sigaction action = {.sa_handler = rows[i].handler};
+        if (!on)
+            sigaction(rows[i].number, &before[i], NULL);
+        else if (sigaction(rows[i].number, NULL, &before[i]) == 0 &&
+                 (before[i].sa_handler != SIG_IGN || rows[i].number == SIGINT))
+            sigaction(rows[i].number, &action, NULL);
+    }
     interrupts = 0;
 }
 
@@ -191,12 +220,14 @@ enum status run_scene(const struct scene *scene, const struct run_options *optio
 {
     struct session x = {0};
     e->status = STATUS_OK;
+    if (options->report && output_check(options->report, e))
+        return e->status;
     if (plan_make(&x.plan, scene, options, e))
         return e->status;
     x.schedule = schedule_make(scene, options->at);
-    catch_interrupt(true);
+    catch_signals(true);
     session_run(&x, options, e);
-    catch_interrupt(false);
+    catch_signals(false);
     memory_free(x.report.frames);
     plan_free(&x.plan);
     return e->status;

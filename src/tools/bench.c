@@ -2,6 +2,8 @@
 #include "base/log.h"
 #include "run/report.h"
 #include "run/simulation.h"
+#include "scene/json.h"
+#include "tools/cli.h"
 #include "tools/tools.h"
 
 #include <argp.h>
@@ -29,21 +31,32 @@ struct result {
     double solve_s; /* measured, s */
 };
 
+/* A whole number from 1 to `most`; complains otherwise. */
+static long positive(struct argp_state *state, const char *name, const char *value, long most)
+{
+    char *end;
+    long number = strtol(value, &end, 10);
+    if (end == value || *end || number < 1 || number > most)
+        argp_error(state, "--%s %s: give a whole number from 1 to %ld", name, value, most);
+    return number;
+}
+
+static double seconds(struct argp_state *state, const char *name, const char *value)
+{
+    char *end;
+    double number = strtod(value, &end);
+    if (end == value || *end || !isfinite(number) || number < 0)
+        argp_error(state, "--%s %s: give a time in seconds, 0 or more", name, value);
+    return number;
+}
+
 static error_t parse_option(int key, char *value, struct argp_state *state)
 {
     struct bench *b = state->input;
     switch (key) {
-    case 'n':
-        b->steps = strtol(value, NULL, 10);
-        if (b->steps < 1)
-            argp_error(state, "--steps %s: give a number of steps of 1 or more", value);
-        return 0;
-    case 't':
-        b->run.threads = atoi(value);
-        if (b->run.threads < 1)
-            argp_error(state, "--threads %s: give a number of threads of 1 or more", value);
-        return 0;
-    case 'f': b->from = atof(value); return 0;
+    case 'n': b->steps = positive(state, "steps", value, 1000000000); return 0;
+    case 't': b->run.threads = (int)positive(state, "threads", value, 4096); return 0;
+    case 'f': b->from = seconds(state, "from", value); return 0;
     case 'i': b->run.isa = value; return 0;
     case 's':
         if (b->set_count == SETS_MAX)
@@ -56,7 +69,8 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
             argp_error(state, "more than %d scenes", SCENES_MAX);
         b->scenes[b->scene_count++] = value;
         return 0;
-    case ARGP_KEY_NO_ARGS: argp_error(state, "no scene; for example: sph-render bench scenes/dambreak.json");
+    case ARGP_KEY_NO_ARGS:
+        argp_error(state, "no scene; for example: sph-render bench scenes/dambreak.json");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -72,7 +86,7 @@ static const struct argp_option options[] = {
     {0}};
 
 static void collect(struct simulation *s, const struct backend_counts *before, long steps,
-                    long sorts, double seconds, struct result *r)
+                    long sorts, double elapsed, struct result *r)
 {
     const struct backend_counts *now = s->row->counts(s->backend);
     double n = (double)s->plan->bodies.count, work = n * (double)steps;
@@ -84,12 +98,12 @@ static void collect(struct simulation *s, const struct backend_counts *before, l
     r->sorts = (double)(s->stats.sorts - sorts);
     r->time = s->time;
     r->dt = s->last_dt;
-    r->solve_s = seconds;
-    r->ns = work > 0 ? seconds * 1e9 / work : 0;
-    r->pairs_per_second = pairs / seconds;
+    r->solve_s = elapsed;
+    r->ns = work > 0 ? elapsed * 1e9 / work : 0;
+    r->pairs_per_second = pairs / elapsed;
     r->pairs_per_particle = work > 0 ? pairs / work : 0;
     r->peak = s->row->peak(s->backend);
-    r->share = pair_force_flops(s->plan->choice.flags) * pairs / seconds / r->peak;
+    r->share = pair_force_flops(s->plan->choice.flags) * pairs / elapsed / r->peak;
     for (int p = 0; p < PASS_COUNT && work > 0; p++)
         r->phase[p] = (now->seconds[p] - before->seconds[p]) * 1e9 / work;
 }
@@ -127,12 +141,14 @@ static void print_json(const struct result *r, size_t count)
 {
     printf("{\"processor\": \"%s\", \"scenes\": [", report_processor());
     for (size_t k = 0; k < count; k++, r++) {
-        printf("%s\n  {\"title\": \"%s\", \"backend\": \"%s\", \"particles\": %.0f, "
+        char title[2 * sizeof r->title + 3];
+        json_quote(r->title, title, sizeof title);
+        printf("%s\n  {\"title\": %s, \"backend\": \"%s\", \"particles\": %.0f, "
                "\"steps\": %.0f, \"sorts\": %.0f, \"time\": %.9g, \"dt\": %.9g, "
                "\"ns_per_particle_step\": %.4f, \"ms_per_step\": %.4f, "
                "\"pairs_per_second\": %.6g, \"pairs_per_particle\": %.3f, "
                "\"peak_flops\": %.6g, \"peak_share\": %.4f, \"phases\": {",
-               k ? "," : "", r->title, r->backend, r->particles, r->steps, r->sorts, r->time,
+               k ? "," : "", title, r->backend, r->particles, r->steps, r->sorts, r->time,
                r->dt, r->ns, r->solve_s * 1e3 / r->steps, r->pairs_per_second,
                r->pairs_per_particle, r->peak, r->share);
         const char *comma = "";
@@ -167,20 +183,24 @@ static void print_table(const struct result *r, size_t count)
 static int bench_run(int argc, char **argv)
 {
     static const struct argp parser = {.options = options, .parser = parse_option,
-        .args_doc = "SCENE.json...", .doc = "Times the steps of scenes, without drawing: by phase, in pairs per second, and as a share of "
-               "the multiply-add peak that this machine reaches in the same run."};
+        .args_doc = "SCENE.json...",
+        .doc = "Times the steps of scenes, without drawing: by phase, in pairs per second, and as a "
+               "share of the multiply-add peak that this machine reaches in the same run."};
     struct bench b = {.steps = 100, .run = {.at = NAN}};
     struct result results[SCENES_MAX] = {0};
-    struct error e = {.status = STATUS_OK};
+    struct error e = {.status = STATUS_OK, .text = ""};
     static char name[] = "sph-render bench";
     argv[0] = name;
     if (argp_parse(&parser, argc, argv, 0, NULL, &b))
         return STATUS_USAGE;
-    for (size_t k = 0; k < b.scene_count; k++)
-        if (measure(&b, b.scenes[k], &results[k], &e)) {
-            log_error("%s", e.text);
-            return e.status;
-        }
+    if (b.run.isa)
+        cli_check_variant("--isa", "isas", b.run.isa, &e);
+    for (size_t k = 0; k < b.scene_count && !e.status; k++)
+        measure(&b, b.scenes[k], &results[k], &e);
+    if (e.status) {
+        log_error("%s", e.text);
+        return e.status;
+    }
     (b.json ? print_json : print_table)(results, b.scene_count);
     return STATUS_OK;
 }

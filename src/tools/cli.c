@@ -4,7 +4,9 @@
 #include "base/suggest.h"
 #include "tools/tools.h"
 
+#include <errno.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -91,16 +93,29 @@ static enum status film_main(int argc, char **argv, struct error *e)
     return status;
 }
 
+/* What was printed may not have arrived, on a full disk for example. */
+static int check_printed(int code)
+{
+    errno = 0;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return code;
+    if (code == STATUS_OK)
+        log_error("standard output cannot be written%s%s", errno ? ": " : "",
+                  errno ? strerror(errno) : "");
+    return code == STATUS_OK ? STATUS_OUTPUT : code;
+}
+
 int cli_main(int argc, char **argv)
 {
     struct error e = {.status = STATUS_OK};
     argp_err_exit_status = STATUS_USAGE;
     argp_program_version_hook = print_version;
+    signal(SIGXFSZ, SIG_IGN); /* a file over `ulimit -f' is an error like a full disk */
     const struct variant *row = argc > 1 ? variant_find(&tool_table, argv[1]) : NULL;
     if (row)
-        return ((const struct tool *)row)->run(argc - 1, argv + 1);
+        return check_printed(((const struct tool *)row)->run(argc - 1, argv + 1));
     enum status status = film_main(argc, argv, &e);
     if (status && status != STATUS_INTERRUPTED)
         log_error("%s", e.text);
-    return status;
+    return check_printed(status);
 }

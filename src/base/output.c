@@ -1,0 +1,85 @@
+/* Says before a run whether a file can be written, and keeps two writers of one file apart. */
+#include "base/output.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <libgen.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum status output_check(const char *path, struct error *e)
+{
+    char copy[PATH_MAX];
+    struct stat info;
+    if (strlen(path) >= sizeof copy - 16)
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": the name is too long", path);
+    strcpy(copy, path);
+    const char *directory = dirname(copy);
+    if (stat(directory, &info))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": directory \"%s\": %s%s", path, directory,
+                         strerror(errno), errno == ENOENT ? "; create it first" : "");
+    if (!S_ISDIR(info.st_mode))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": \"%s\" is no directory", path,
+                         directory);
+    if (access(directory, W_OK | X_OK))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": cannot write to directory \"%s\": %s",
+                         path, directory, strerror(errno));
+    if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
+        return error_set(e, STATUS_OUTPUT, "output \"%s\": exists and is no regular file", path);
+    return STATUS_OK;
+}
+
+/* The holder before may have removed the file between our opening and locking it. */
+static bool still_named(int file, const char *path)
+{
+    struct stat ours, named;
+    return fstat(file, &ours) == 0 && stat(path, &named) == 0 && ours.st_ino == named.st_ino &&
+           ours.st_dev == named.st_dev;
+}
+
+/* A file system without locks gives no claim, and no error: the run is as safe as it can be. */
+enum status output_claim(struct output_claim *claim, const char *path, struct error *e)
+{
+    *claim = (struct output_claim){NULL, -1};
+    if (asprintf(&claim->path, "%s.lock", path) < 0) {
+        claim->path = NULL;
+        return error_set(e, STATUS_RUN, "%s: no memory", path);
+    }
+    for (;;) {
+        claim->file = open(claim->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (claim->file < 0) {
+            error_set(e, STATUS_OUTPUT, "%s: %s", claim->path, strerror(errno));
+            break;
+        }
+        bool locked = flock(claim->file, LOCK_EX | LOCK_NB) == 0;
+        if (!locked && errno == EWOULDBLOCK) {
+            error_set(e, STATUS_OUTPUT, "output \"%s\" is being written already, by another run or "
+                      "another -o; wait for it or choose another name", path);
+            break;
+        }
+        if (!locked || still_named(claim->file, claim->path))
+            return STATUS_OK;
+        close(claim->file);
+    }
+    if (claim->file >= 0)
+        close(claim->file);
+    free(claim->path);
+    *claim = (struct output_claim){NULL, -1};
+    return e->status;
+}
+
+void output_release(struct output_claim *claim)
+{
+    if (!claim->path)
+        return;
+    unlink(claim->path); /* before the lock ends, so that nobody's later claim is removed */
+    close(claim->file);
+    free(claim->path);
+    *claim = (struct output_claim){NULL, -1};
+}

@@ -1,0 +1,22 @@
+/* Files to be written: checked before a run, and claimed against other runs. */
+#ifndef BASE_OUTPUT_H
+#define BASE_OUTPUT_H
+
+#include "base/error.h"
+
+/* STATUS_OUTPUT unless the directory of `path` can be written, and what has the name is a file. */
+enum status output_check(const char *path, struct error *e);
+
+/* While a claim is held no other claim of the same path succeeds, in this program or another, under
+ * whatever spelling of the directory. It is an advisory lock of PATH.lock: it ends with the process,
+ * however that ends, and a file left behind by a kill hinders nobody. */
+struct output_claim {
+    char *path; /* of the lock file, or NULL */
+    int file;
+};
+
+/* STATUS_OUTPUT when somebody else holds it. */
+enum status output_claim(struct output_claim *claim, const char *path, struct error *e);
+void output_release(struct output_claim *claim);
+
+#endif
