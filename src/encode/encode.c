@@ -11,11 +11,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-extern const struct encoder_row encoder_mp4, encoder_png, encoder_hash, encoder_null;
+extern const struct encoder_row encoder_mp4, encoder_png, encoder_csv, encoder_hash, encoder_null;
 
 static const struct encoder_row *const encoders[] = {
     &encoder_mp4,
     &encoder_png,
+    &encoder_csv,
     &encoder_hash,
     &encoder_null,
 };
@@ -24,6 +25,7 @@ enum { ENCODER_COUNT = sizeof encoders / sizeof encoders[0] };
 static const struct variant *const variants[ENCODER_COUNT] = {
     &encoder_mp4.variant,
     &encoder_png.variant,
+    &encoder_csv.variant,
     &encoder_hash.variant,
     &encoder_null.variant,
 };
