@@ -32,16 +32,14 @@ static enum status disk_error(const char *path, struct error *e)
     return error_set(e, STATUS_OUTPUT, "%s: %s", path, strerror(errno));
 }
 
-/* The shortest decimal that reads back to the same number; never "-0". */
+/* 15 digits: every decimal of that length is itself, so that a time of 0.21 reads 0.21. Never "-0",
+ * and "nan" without a sign. */
 static void write_number(double number, FILE *out)
 {
-    char text[32] = "nan";
-    for (int digits = 15; digits <= 17 && !isnan(number); digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, number + 0.0);
-        if (strtod(text, NULL) == number)
-            break;
-    }
-    fputs(text, out);
+    if (isnan(number))
+        fputs("nan", out);
+    else
+        fprintf(out, "%.15g", number + 0.0);
 }
 
 static enum status write_header(struct encoder *encoder, const struct encode_target *target,
