@@ -103,7 +103,8 @@ static void density_error_has_three_parts(void **state)
 static void shape_of_a_lattice(void **state)
 {
     (void)state;
-    world_open(&w, SCENE(DOWN, MOVING, "0", "{\"quantity\": \"volume\"}, {\"quantity\": \"extent\"},"
+    world_open(&w, SCENE(DOWN, MOVING, "0", "{\"quantity\": \"volume\"},"
+        "{\"quantity\": \"extent\"},"
         "{\"quantity\": \"front\"}, {\"quantity\": \"front\", \"name\": \"back\", \"axis\": \"z\","
         " \"side\": \"min\"}, {\"quantity\": \"height\", \"at\": [0.4, 0, 0.4]},"
         "{\"quantity\": \"height\", \"name\": \"H2\", \"at\": [0.33, 0.1, 0.42]},"

@@ -39,7 +39,9 @@ static void value(const struct measured *m, const struct scene_measure *asked, d
         out[k] = 0;
     for (size_t id = 0; id < m->count; id++) {
         struct sample s = measure_sample(m, id);
-        for (int64_t k = 0; is_near(m, asked, radius, s.x) && k < asked->points; k++)
+        if (!is_near(m, asked, radius, s.x))
+            continue;
+        for (int64_t k = 0; k < asked->points; k++)
             weight[k] += add(m, asked, radius, k, &s, out + 4 * k);
     }
     for (int64_t k = 0; k < 4 * asked->points; k++)
