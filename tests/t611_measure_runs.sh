@@ -86,6 +86,26 @@ run -o "$csv" --report "$work/report.json"
 [ "$(state | cut -d' ' -f1)" = "$(cut -d' ' -f1 "$work/plain")" ]
 result $? "other rows leave frames at their times"
 
+# within NAME COLUMN WANTED PARTS: of the last row
+within() {
+    awk -F, -v column="$2" -v wanted="$3" -v parts="$4" 'NR == 1 {
+            for (i = 1; i <= NF; i++) if ($i == column) c = i
+        } {got = $c} END {
+            printf "%s %.5g, wanted %.5g: %+.2f %%\n", column, got, wanted, 100 * (got / wanted - 1)
+            exit !(got > wanted * (1 - parts) && got < wanted * (1 + parts))
+        }' "$csv" >"$work/out"
+    result $? "$1: $(cat "$work/out")"
+}
+# A tank 12 spacings deep that has come to rest: rho g H, and the volume that was filled.
+"$SPH" -q scenes/settling-tank.json -o "$csv" --set particles.spacing=0.025 --end 2 --set 'measure=[
+    {"quantity": "wall-pressure", "face": "-y", "min": [0.1, 0, 0.1], "max": [0.4, 0, 0.4]},
+    {"quantity": "pressure", "at": [0.25, 0.1, 0.25]}, {"quantity": "volume"},
+    {"quantity": "height", "at": [0.25, 0, 0.25]}]' --set fluids.0.viscosity=20 >"$work/out" 2>&1
+within "at the floor" "wall-pressure (Pa)" 2648.7 0.03
+within "in the fluid" "pressure (Pa)" 1765.8 0.05
+within "volume" "volume.surface (m^3)" 0.075 0.01
+within "height" "height (m)" 0.3 0.02
+
 # Without a csv output nothing is paid, and a list that is not used is said.
 run -o null --report "$work/report.json"
 grep -q "measures are not written" "$work/out"
