@@ -44,7 +44,7 @@ static void unknown_names_list_the_known(void **state)
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         assert_null(encode_find(names[i], &e));
         assert_int_equal(e.status, STATUS_USAGE);
-        assert_non_null(strstr(e.text, "NAME.mp4, NAME.png, hash, null"));
+        assert_non_null(strstr(e.text, "NAME.mp4, NAME.png, NAME.csv, hash, null"));
     }
 }
 

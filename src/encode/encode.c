@@ -8,11 +8,12 @@
 #include <string.h>
 #include <strings.h>
 
-extern const struct encoder_row encoder_mp4, encoder_png, encoder_hash, encoder_null;
+extern const struct encoder_row encoder_mp4, encoder_png, encoder_csv, encoder_hash, encoder_null;
 
 static const struct encoder_row *const encoders[] = {
     &encoder_mp4,
     &encoder_png,
+    &encoder_csv,
     &encoder_hash,
     &encoder_null,
 };
@@ -21,6 +22,7 @@ enum { ENCODER_COUNT = sizeof encoders / sizeof encoders[0] };
 static const struct variant *const variants[ENCODER_COUNT] = {
     &encoder_mp4.variant,
     &encoder_png.variant,
+    &encoder_csv.variant,
     &encoder_hash.variant,
     &encoder_null.variant,
 };

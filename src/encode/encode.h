@@ -15,6 +15,8 @@ struct encode_target {
     double fps;
     bool single;           /* --at: one frame only; x.png is allowed without %d */
     const char *title;     /* metadata */
+    const char *const *columns; /* of rows: "time (s)" */
+    size_t column_count;
 };
 
 struct encode_frame {
@@ -30,17 +32,21 @@ struct encoder_row {
     struct variant variant;
     const char *const *extensions; /* ".mp4", NULL-terminated; or the whole word "null", "hash" */
     bool wants_pixels;             /* false: the run may skip drawing altogether */
+    bool wants_rows;               /* of measured numbers, by `row` */
     /* What only this encoder can say about a target before the run; writes nothing. May be NULL. */
     enum status (*check)(const struct encode_target *, struct error *);
     enum status (*open)(struct encoder **, const struct encode_target *, struct error *);
     /* May return before the frame is on disk; the image may be changed after it returns. */
     enum status (*frame)(struct encoder *, const struct encode_frame *, struct error *);
+    /* A number for each column, on its way to the disk when it returns; may be called while `frame`
+     * runs in another thread. NULL without wants_rows. */
+    enum status (*row)(struct encoder *, const double *numbers, struct error *);
     /* keep: finish the file (also after SIGINT); else leave no trace but an earlier file intact.
      * Always frees. */
     enum status (*close)(struct encoder *, bool keep, struct error *);
 };
 
-extern const struct variant_table encode_table; /* "encoders": mp4, png, hash, null */
+extern const struct variant_table encode_table; /* "encoders": mp4, png, csv, hash, null */
 
 /* The row for an output name, or NULL with STATUS_USAGE naming the known extensions. */
 const struct encoder_row *encode_find(const char *path, struct error *e);

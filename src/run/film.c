@@ -172,6 +172,8 @@ static struct encode_target target_of(const struct film_setup *setup, size_t out
         .fps = scene->movie.fps,
         .single = setup->single,
         .title = scene->title,
+        .columns = setup->columns,
+        .column_count = setup->column_count,
     };
 }
 
@@ -181,6 +183,17 @@ bool film_wants_pixels(const char *const *outputs, size_t count)
     for (size_t i = 0; i < count; i++) {
         const struct encoder_row *row = encode_find(outputs[i], &ignored);
         if (row && row->wants_pixels)
+            return true;
+    }
+    return false;
+}
+
+bool film_wants_rows(const char *const *outputs, size_t count)
+{
+    struct error ignored;
+    for (size_t i = 0; i < count; i++) {
+        const struct encoder_row *row = encode_find(outputs[i], &ignored);
+        if (row && row->wants_rows)
             return true;
     }
     return false;
@@ -370,6 +383,20 @@ enum status film_frame(struct film *film, struct film_snapshot *snapshot, struct
         queue_push(&film->snapshots_idle, snapshot);
     }
     return film_error(film, e);
+}
+
+enum status film_row(struct film *film, const double *numbers, struct error *e)
+{
+    if (film_error(film, e))
+        return e->status;
+    for (size_t i = 0; i < film->output_count; i++) {
+        const struct output *output = &film->outputs[i];
+        if (output->row->wants_rows && output->row->row(output->encoder, numbers, e)) {
+            film_fail(film, e);
+            return e->status;
+        }
+    }
+    return STATUS_OK;
 }
 
 /* Ends the threads from front to back, so that each finishes what it was given. */

@@ -26,6 +26,8 @@ struct film_setup {
     const char *const *outputs;        /* as given to -o */
     size_t output_count;
     bool single;                       /* --at: one frame only */
+    const char *const *columns;        /* of measured rows; NULL when no output wants rows */
+    size_t column_count;
 };
 
 /* The particles of one frame. The film owns the arrays; they are to be filled, not replaced. */
@@ -53,6 +55,9 @@ struct film;
  * writes counts as none. */
 bool film_wants_pixels(const char *const *outputs, size_t count);
 
+/* The same for rows of measured numbers. */
+bool film_wants_rows(const char *const *outputs, size_t count);
+
 /* Checks every output, then opens every encoder and, in the drawing thread, the renderer. The
  * scene and the render_setup must outlive the film; the setup itself and the outputs need not.
  * STATUS_USAGE, STATUS_OUTPUT, STATUS_BACKEND, STATUS_RUN; then nothing is left open or written. */
@@ -72,6 +77,10 @@ void film_snapshot_free(struct film *film, struct film_snapshot *snapshot);
 /* Takes the snapshot, also on failure. Does not wait for drawing. Indices must increase. On failure
  * (the first error of any thread) close the film with keep = false. */
 enum status film_frame(struct film *film, struct film_snapshot *snapshot, struct error *e);
+
+/* Hands a row, a number for each column, to every output that wants rows; on disk when it returns.
+ * On failure close the film with keep = false. */
+enum status film_row(struct film *film, const double *numbers, struct error *e);
 
 /* keep: draws what is queued, completes every output; else drops the queue and leaves no trace. A
  * film that failed is never kept: returns its first error when keep is set. Always frees `film`

@@ -60,6 +60,7 @@ static void plan_fields(struct plan *plan)
         fields |= plan->passes[k]->reads | plan->passes[k]->writes;
     if (plan->color)
         fields |= plan->color->reads;
+    fields |= plan->measures.reads;
     if (plan->scene->fluid_count > 1)
         fields |= FIELD_BIT(FIELD_FLUID);
     else
@@ -125,6 +126,16 @@ static void plan_color(struct plan *plan, const struct run_options *options)
     plan->color->range(&expect, plan->color_range);
 }
 
+static enum status plan_measures(struct plan *plan, const struct run_options *options,
+                                 struct error *e)
+{
+    if (film_wants_rows(options->outputs, options->output_count))
+        return measures_create(&plan->measures, plan->scene, plan->bodies.count, e);
+    omit(plan, plan->scene->measure_count ? "measures of the scene: no output is a csv file"
+                                          : "measures: no output is a csv file");
+    return STATUS_OK;
+}
+
 static enum status check_periods(const struct plan *plan, struct error *e)
 {
     double reach = 2 * plan->choice.support * (1 + SKIN_MAX);
@@ -179,8 +190,11 @@ enum status plan_make(struct plan *plan, const struct scene *scene,
     plan_passes(plan);
     omit_terms(plan);
     plan_color(plan, options);
-    plan_fields(plan);
-    if (check_reads(plan, e))
+    if (!plan_measures(plan, options, e)) {
+        plan_fields(plan);
+        check_reads(plan, e);
+    }
+    if (e->status)
         plan_free(plan);
     return e->status;
 }
@@ -189,4 +203,5 @@ void plan_free(struct plan *plan)
 {
     fill_free(&plan->bodies);
     fill_free(&plan->walls);
+    measures_free(&plan->measures);
 }

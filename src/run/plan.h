@@ -5,6 +5,7 @@
 #include "backend/backend.h"
 #include "particles/fill.h"
 #include "render/color.h"
+#include "run/measure.h"
 #include "run/run.h"
 
 struct plan {
@@ -18,6 +19,7 @@ struct plan {
     struct space space;
     struct solver_choice choice;
     struct fill bodies, walls;     /* start points */
+    struct measures measures;      /* empty when no output wants rows */
     const struct pass_row *passes[STEP_PASSES_MAX]; /* of one step, in order */
     size_t pass_count;
     unsigned fields;               /* allocated */

@@ -2,6 +2,7 @@
 #include "run/plan.h"
 
 #include <math.h>
+#include <string.h>
 
 static const char *const kinds[] = {
     [PASS_EACH] = "each", [PASS_PAIR] = "pair", [PASS_ORDER] = "order",
@@ -47,6 +48,25 @@ static void write_terms(const struct solver_choice *c, FILE *out)
     fputs("\n", out);
 }
 
+/* What a csv output holds; the time is its first column. */
+static void write_measures(const struct measures *measures, FILE *out)
+{
+    if (!measures->count)
+        return;
+    fprintf(out, "\nmeasured every %.4g s, %zu columns\n", measures->interval,
+            measures->column_count);
+    for (size_t i = 0; i < measures->count; i++) {
+        const struct measure *item = &measures->items[i];
+        const char *name = item->asked->name, *quantity = item->row->variant.name;
+        bool own = strcmp(name, quantity) != 0;
+        fprintf(out, "  %s%s%s: %s; reads ", own ? name : "", own ? ", " : "", quantity,
+                item->row->variant.doc);
+        write_fields(item->row->reads, out);
+        fprintf(out, "; %zu column%s from %s\n", item->columns, item->columns == 1 ? "" : "s",
+                measures->columns[item->first]);
+    }
+}
+
 void plan_write(const struct plan *plan, FILE *out)
 {
     const struct solver_choice *c = &plan->choice;
@@ -84,6 +104,7 @@ void plan_write(const struct plan *plan, FILE *out)
         write_fields(pass->writes, out);
         fputs("\n", out);
     }
+    write_measures(&plan->measures, out);
     fprintf(out, "\nleft out\n");
     for (size_t k = 0; k < plan->omitted_count; k++)
         fprintf(out, "  %s\n", plan->omitted[k]);

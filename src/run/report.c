@@ -47,6 +47,8 @@ static void write_phases(FILE *f, const struct report *r, const struct backend_c
     fprintf(f, "  \"seconds\": {\"wall\": %.6f, \"solve\": %.6f, \"wait\": %.6f, \"draw\": %.6f, "
                "\"encode\": %.6f",
             r->wall, r->solve, r->film.wait, r->film.draw, r->film.encode);
+    if (r->row_count)
+        fprintf(f, ", \"measure\": %.6f", r->measure);
     for (int p = 0; p < PASS_COUNT; p++)
         if (counts->runs[p])
             fprintf(f, ", \"%s\": %.6f", pass_table[p].name, counts->seconds[p]);
@@ -102,6 +104,9 @@ static void write_body(FILE *f, const struct report *r, struct simulation *s)
         fprintf(f, "  \"ns_per_particle_step\": %.3f,\n", r->solve * 1e9 / steps / n);
     if (s->plan->choice.is_implicit)
         write_solves(f, s);
+    if (r->row_count)
+        fprintf(f, "  \"measured\": {\"rows\": %ld, \"columns\": %zu, \"every\": %.9g},\n",
+                r->row_count, s->plan->measures.column_count, s->plan->measures.interval);
     write_phases(f, r, counts);
     fprintf(f, "  \"bytes\": {\"peak\": %zu", memory_peak());
     memory_each(write_memory, f);

@@ -18,6 +18,8 @@ struct report {
     const char *renderer; /* or NULL */
     struct report_frame *frames;
     size_t frame_count;
+    long row_count;       /* of measured numbers */
+    double measure;       /* s */
 };
 
 /* Sum over the step's passes of their time, s. */

@@ -22,22 +22,25 @@ static void on_interrupt(int signal_number)
         _exit(STATUS_INTERRUPTED);
 }
 
-/* Frame times: index k is drawn at start + k * speed / fps, up to and with the end. */
+/* Chosen times: number k is at start + k * step, up to and with the end. */
 struct schedule {
-    double start, step, end; /* s */
-    long count;
+    double start, step; /* s */
+    long count, done;
 };
 
-static struct schedule schedule_make(const struct scene *scene, double at)
+static struct schedule schedule_make(double start, double step, double end)
 {
-    struct schedule s = {.start = scene->movie.start, .end = scene->time.end};
-    s.step = scene->movie.speed / scene->movie.fps;
-    s.count = 1 + (long)floor((s.end - s.start) / s.step * (1 + 1e-12) + 1e-9);
-    if (!isnan(at))
-        s = (struct schedule){.start = at, .end = at, .step = 1, .count = 1};
+    struct schedule s = {.start = start, .step = step};
+    s.count = 1 + (long)floor((end - start) / step * (1 + 1e-12) + 1e-9);
     if (s.count < 0)
         s.count = 0;
     return s;
+}
+
+/* The next time that is not done; INFINITY when all are. */
+static double schedule_next(const struct schedule *s)
+{
+    return s->done < s->count ? s->start + (double)s->done * s->step : (double)INFINITY;
 }
 
 struct session {
@@ -45,12 +48,24 @@ struct session {
     struct simulation simulation;
     struct film *film;
     struct report report;
-    struct schedule schedule;
+    struct schedule frames, rows;
+    double end; /* s */
 };
+
+/* Frames from movie.start on, rows from 0 on; with --at one of each. */
+static void session_schedule(struct session *x, const struct scene *scene, double at)
+{
+    bool film = isnan(at);
+    x->end = film ? scene->time.end : at;
+    x->frames = schedule_make(film ? scene->movie.start : at,
+                              scene->movie.speed / scene->movie.fps, x->end);
+    if (x->plan.measures.count)
+        x->rows = schedule_make(film ? 0 : at, x->plan.measures.interval, x->end);
+}
 
 static enum status advance(struct session *x, double target, struct error *e)
 {
-    double start = clock_seconds(), end = x->schedule.end;
+    double start = clock_seconds(), end = x->end;
     struct simulation *s = &x->simulation;
     char note[96];
     while (s->time < target) {
@@ -82,13 +97,38 @@ static enum status emit(struct session *x, long index, struct error *e)
     return film_frame(x->film, snapshot, e);
 }
 
-static enum status run_frames(struct session *x, struct error *e)
+static enum status measure(struct session *x, struct error *e)
 {
-    for (long k = 0; k < x->schedule.count; k++) {
-        if (advance(x, x->schedule.start + (double)k * x->schedule.step, e) || emit(x, k, e))
+    double start = clock_seconds();
+    struct simulation *s = &x->simulation;
+    const struct plan *plan = &x->plan;
+    const double *row = measures_take(&x->plan.measures, plan->scene, &plan->space, &plan->choice,
+                                      s->row->state(s->backend), s->time);
+    if (film_row(x->film, row, e))
+        return e->status;
+    x->report.row_count++;
+    x->report.measure += clock_seconds() - start;
+    return STATUS_OK;
+}
+
+/* Stops at the times of frames and of rows; times that differ only by rounding are one. */
+static enum status run_times(struct session *x, struct error *e)
+{
+    double frame, row;
+    while (frame = schedule_next(&x->frames), row = schedule_next(&x->rows),
+           isfinite(fmin(frame, row))) {
+        double slack = 1e-12 * x->end, target = frame <= row + slack ? frame : row;
+        if (advance(x, target, e))
+            return e->status;
+        if (row <= target + slack) {
+            x->rows.done++;
+            if (measure(x, e))
+                return e->status;
+        }
+        if (frame <= target && emit(x, x->frames.done++, e))
             return e->status;
     }
-    return advance(x, x->schedule.end, e);
+    return advance(x, x->end, e);
 }
 
 static enum status film_start(struct session *x, const struct run_options *options,
@@ -116,6 +156,8 @@ static enum status film_start(struct session *x, const struct run_options *optio
                                .render = plan->draws ? &kept : NULL,
                                .outputs = options->outputs,
                                .output_count = options->output_count,
+                               .columns = plan->measures.columns,
+                               .column_count = plan->measures.column_count,
                                .single = !isnan(options->at)};
     return film_open(&x->film, &setup, e);
 }
@@ -129,6 +171,8 @@ static void say_choices(const struct session *x)
              c->support / c->spacing, c->sound_speed, s->last_dt);
     if (film_renderer(x->film))
         log_info("renderer %s", film_renderer(x->film));
+    if (x->plan.scene->measure_count && !x->plan.measures.count)
+        log_info("the scene's measures are not written: no output is a csv file; add -o FILE.csv");
 }
 
 static void say_results(const struct session *x)
@@ -151,7 +195,7 @@ static void finish(struct session *x, const struct run_options *options, double 
     struct error closing = {STATUS_OK, ""};
     bool keep = e->status == STATUS_OK || e->status == STATUS_INTERRUPTED ||
                 e->status == STATUS_RUN;
-    keep = keep && x->report.frame_count > 0;
+    keep = keep && x->report.frame_count + (size_t)x->report.row_count > 0;
     if (film_renderer(x->film)) {
         snprintf(renderer, sizeof renderer, "%s", film_renderer(x->film));
         x->report.renderer = renderer;
@@ -178,7 +222,7 @@ static enum status session_run(struct session *x, const struct run_options *opti
     double start = clock_seconds();
     struct error closing;
     x->report.frames =
-        memory_create("report", (size_t)x->schedule.count + 1, sizeof *x->report.frames, e);
+        memory_create("report", (size_t)x->frames.count + 1, sizeof *x->report.frames, e);
     if (!x->report.frames || film_start(x, options, e))
         return e->status;
     if (simulation_open(&x->simulation, &x->plan, options, e)) {
@@ -186,7 +230,7 @@ static enum status session_run(struct session *x, const struct run_options *opti
         return e->status;
     }
     say_choices(x);
-    if (run_frames(x, e) == STATUS_OK)
+    if (run_times(x, e) == STATUS_OK)
         e->status = STATUS_OK;
     finish(x, options, start, e);
     simulation_close(&x->simulation);
@@ -224,7 +268,7 @@ enum status run_scene(const struct scene *scene, const struct run_options *optio
         return e->status;
     if (plan_make(&x.plan, scene, options, e))
         return e->status;
-    x.schedule = schedule_make(scene, options->at);
+    session_schedule(&x, scene, options->at);
     catch_signals(true);
     session_run(&x, options, e);
     catch_signals(false);

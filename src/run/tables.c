@@ -5,13 +5,14 @@
 #include "grid/search.h"
 #include "render/color.h"
 #include "render/render.h"
+#include "run/measure.h"
 #include "run/run.h"
 #include "solver/solver.h"
 
 static const struct variant_table *const tables[] = {
     &solver_table,    &kernel_table,   &search_table, &backend_table, &isa_table,
     &render_contexts, &encode_table,   &color_table,  &render_maps,
-    &render_overlays,
+    &render_overlays, &measure_table,
 };
 
 const struct vocabulary run_vocabulary = {tables, sizeof tables / sizeof *tables};

@@ -159,7 +159,7 @@ enum status check_scene(struct load *load)
 {
     static enum status (*const checks[])(struct load *) = {
         check_domain, check_walls, check_fluids, resolve_fluids, check_times,
-        check_camera, check_color, check_amount, check_bodies};
+        check_camera, check_color, check_amount, check_bodies, check_measures};
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && !status; i++)
         status = checks[i](load);

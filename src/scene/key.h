@@ -23,7 +23,11 @@ enum { KEY_TEXT_SIZE = 128 };
 
 /* The key need not be a number: the JSON text "auto" is allowed and stored as NAN (both numbers of
  * a pair), and the program chooses. */
-enum key_flag { KEY_AUTO = 1, KEY_ABOVE_MIN = 2 /* min itself is excluded */ };
+enum key_flag {
+    KEY_AUTO = 1,
+    KEY_ABOVE_MIN = 2, /* min itself is excluded */
+    KEY_INSIDE = 4     /* a point of the domain */
+};
 
 struct key {
     const char *path;     /* "time.end"; "fluids[].density" for elements of an array */
@@ -37,10 +41,11 @@ struct key {
     size_t offset;        /* into struct scene, or into the element; KEY_OPTION: see scene_real */
 };
 
-/* Value kept by path: rows that belong to a variant. Not inside arrays. The key is accepted, and
- * has a value, only while its variant is the one chosen in its table; the variants of a table
- * that no scene key chooses from (forces, encoders) always take theirs. Two variants may share a
- * path. */
+/* Value kept by path: rows that belong to a variant. Not inside arrays, where a variant's rows have
+ * places in the element. The key is accepted, and has a value, only while its variant is the one
+ * chosen in its table (in an array: by the element); the variants of a table that no scene key
+ * chooses from (forces, encoders) always take theirs. Two variants may share a path, in an array
+ * with one type. */
 #define KEY_OPTION ((size_t)-1)
 
 /* Everything a scene file may name: the tables that choices refer to and whose variants may bring

@@ -52,14 +52,23 @@ const struct key *key_chooser(const struct variant_table *table)
     return NULL;
 }
 
-bool key_list_active(const struct key_list *list, size_t row, const struct scene *scene)
+bool key_list_active(const struct key_list *list, size_t row, const void *base)
 {
     const struct key_entry *entry = &list->items[row];
     if (!entry->owner)
         return true;
     const struct key *chooser = key_chooser(entry->table);
     return !chooser ||
-           strcmp((const char *)scene + chooser->offset, entry->owner->name) == 0;
+           strcmp((const char *)base + chooser->offset, entry->owner->name) == 0;
+}
+
+size_t key_list_find_active(const struct key_list *list, const char *path, const void *base)
+{
+    size_t i = 0;
+    while (i < list->count && (strcmp(list->items[i].key->path, path) != 0 ||
+                               !key_list_active(list, i, base)))
+        i++;
+    return i;
 }
 
 /* Whether the path leads through prefix + name; `rest` is what follows. */

@@ -7,6 +7,7 @@
 #define IN(member) offsetof(struct scene, member)
 #define FLUID(member) offsetof(struct scene_fluid, member)
 #define BODY(member) offsetof(struct scene_body, member)
+#define MEASURE(member) offsetof(struct scene_measure, member)
 #define ANY 0, 0           /* no range */
 #define FROM(low) low, INFINITY
 #define WALLS "closed|particles|periodic"
@@ -73,6 +74,11 @@ const struct key scene_core_keys[] = {
     {"bodies[].velocity", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m/s", NULL,
      "at the start", BODY(velocity)},
 
+    {"measure[].quantity", KEY_CHOICE, 0, NULL, ANY, "", "measures",
+     "what the columns of a csv output hold", MEASURE(quantity)},
+    {"measure[].name", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
+     "begins the names of its columns, each its own; empty: the quantity", MEASURE(name)},
+
     {"solver.method", KEY_CHOICE, 0, "\"wcsph\"", ANY, "", "solvers",
      "pressure solver", IN(solver.method)},
     {"solver.kernel", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "kernels",
@@ -90,6 +96,8 @@ const struct key scene_core_keys[] = {
      "upper bound of the time step; auto: what is stable", IN(time.step)},
     {"time.cfl", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", 0, 10, "", NULL,
      "support radii that sound travels in a step at most; auto: the method's", IN(time.cfl)},
+    {"time.measure", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", FROM(0), "s", NULL,
+     "between rows of a csv output, from 0 on; auto: the time between frames", IN(time.measure)},
 
     {"movie.size", KEY_SIZE, 0, "[1280, 720]", 16, 16384, "pixels", NULL,
      "width and height", IN(movie.size)},
@@ -134,6 +142,7 @@ const size_t scene_core_key_count = sizeof scene_core_keys / sizeof *scene_core_
 const struct key_array scene_arrays[ARRAY_COUNT] = {
     {"fluids", "fluids[].", IN(fluids), IN(fluid_count), sizeof(struct scene_fluid)},
     {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body)},
+    {"measure", "measure[].", IN(measures), IN(measure_count), sizeof(struct scene_measure)},
 };
 
 enum { BOX = 1 << BODY_BOX, SPHERE = 1 << BODY_SPHERE, CYLINDER = 1 << BODY_CYLINDER };

@@ -18,7 +18,7 @@ struct key_array {
     size_t items, count; /* offsets of the pointer and of the size_t */
     size_t size;        /* bytes of one element */
 };
-enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_COUNT };
+enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_MEASURE, ARRAY_COUNT };
 extern const struct key_array scene_arrays[ARRAY_COUNT];
 
 /* Whether a body of this shape reads the key; keys that no shape owns are read by all. */
@@ -46,10 +46,14 @@ void key_list_free(struct key_list *list);
 /* First row of that path, or list->count. */
 size_t key_list_find(const struct key_list *list, const char *path);
 
-/* Whether the row takes part: core, or owned by a variant that the scene chose. */
-bool key_list_active(const struct key_list *list, size_t row, const struct scene *scene);
+/* Whether the row takes part: core, or owned by a variant that is chosen; `base` is the scene, or
+ * for keys of an array the element. */
+bool key_list_active(const struct key_list *list, size_t row, const void *base);
 
-/* The core row by which a scene chooses from the table, or NULL. */
+/* The first active row of that path, or list->count. */
+size_t key_list_find_active(const struct key_list *list, const char *path, const void *base);
+
+/* The core row by which a scene, or an element, chooses from the table, or NULL. */
 const struct key *key_chooser(const struct variant_table *table);
 
 enum key_place {

@@ -101,6 +101,41 @@ static enum status wrong_shape(struct load *load, struct place said, const struc
                      "key or change the shape", path, fitting, own);
 }
 
+/* A key is said although no variant that reads it is chosen. `label` is what messages call the
+ * element ("measure.0."), `base` its memory; or "" and the scene. */
+static enum status refuse_option(struct load *load, size_t row, struct place said,
+                                 const char *label, const void *base)
+{
+    const struct key_entry *entry = &load->keys.items[row];
+    const struct key *chooser = key_chooser(entry->table);
+    const char *path = entry->key->path, *choice = chooser->path;
+    char owners[300] = "";
+    if (*label) {
+        path = strrchr(path, '.') + 1;
+        choice = strrchr(choice, '.') + 1;
+    }
+    for (size_t i = row; i < load->keys.count; i++) {
+        size_t n = strlen(owners);
+        if (strcmp(load->keys.items[i].key->path, entry->key->path) == 0)
+            snprintf(owners + n, sizeof owners - n, "%s\"%s\"", n ? " or " : "",
+                     load->keys.items[i].owner->name);
+    }
+    return load_fail(load, said, "%s%s is read only while %s%s is %s, and it is \"%s\"; "
+                     "remove the key or change %s%s", label, path, label, choice, owners,
+                     (const char *)base + chooser->offset, label, choice);
+}
+
+/* Element keys that belong to a variant which the element did not choose are not to be said. */
+static enum status pass_element_key(struct load *load, size_t row, struct place said,
+                                    const char *label, const void *memory)
+{
+    const char *path = load->keys.items[row].key->path;
+    if (!said.doc || key_list_find(&load->keys, path) != row ||
+        key_list_find_active(&load->keys, path, memory) < load->keys.count)
+        return STATUS_OK;
+    return refuse_option(load, row, said, label, memory);
+}
+
 static enum status fill_element(struct load *load, int array, size_t element, void *memory)
 {
     const char *prefix = scene_arrays[array].prefix;
@@ -108,12 +143,18 @@ static enum status fill_element(struct load *load, int array, size_t element, vo
     enum status status = STATUS_OK;
     for (size_t i = 0; i < load->keys.count && !status; i++) {
         const struct key *key = load->keys.items[i].key;
-        struct place said = a->said[element * load->keys.count + i];
-        char path[KEY_TEXT_SIZE];
+        char label[KEY_TEXT_SIZE], path[2 * KEY_TEXT_SIZE];
         if (strncmp(key->path, prefix, strlen(prefix)) != 0)
             continue;
-        snprintf(path, sizeof path, "%s.%zu.%s", scene_arrays[array].name, element,
-                 key->path + strlen(prefix));
+        /* Rows that share a path are said in the first. */
+        size_t first = key_list_find(&load->keys, key->path);
+        struct place said = a->said[element * load->keys.count + first];
+        snprintf(label, sizeof label, "%s.%zu.", scene_arrays[array].name, element);
+        snprintf(path, sizeof path, "%s%s", label, key->path + strlen(prefix));
+        if (!key_list_active(&load->keys, i, memory)) {
+            status = pass_element_key(load, i, said, label, memory);
+            continue;
+        }
         /* The row of the shape stands before those that depend on it. */
         enum body_shape shape =
             array == ARRAY_BODIES ? ((struct scene_body *)memory)->shape : BODY_BOX;
@@ -143,32 +184,6 @@ static enum status fill_array(struct load *load, int array)
     return status;
 }
 
-/* A key is said although no variant that reads it is chosen. */
-static enum status refuse_option(struct load *load, size_t row)
-{
-    const struct key_entry *entry = &load->keys.items[row];
-    const struct key *chooser = key_chooser(entry->table);
-    char owners[300] = "";
-    for (size_t i = row; i < load->keys.count; i++) {
-        size_t n = strlen(owners);
-        if (strcmp(load->keys.items[i].key->path, entry->key->path) == 0)
-            snprintf(owners + n, sizeof owners - n, "%s\"%s\"", n ? " or " : "",
-                     load->keys.items[i].owner->name);
-    }
-    return load_fail(load, load->said[row], "%s is read only while %s is %s, and it is \"%s\"; "
-                     "remove the key or change %s", entry->key->path, chooser->path, owners,
-                     (const char *)load->scene + chooser->offset, chooser->path);
-}
-
-static size_t active_row(const struct load *load, const char *path)
-{
-    size_t i = 0;
-    while (i < load->keys.count && (strcmp(load->keys.items[i].key->path, path) != 0 ||
-                                    !key_list_active(&load->keys, i, load->scene)))
-        i++;
-    return i;
-}
-
 static enum status fill_options(struct load *load)
 {
     struct scene *scene = load->scene;
@@ -178,12 +193,12 @@ static enum status fill_options(struct load *load)
     for (size_t i = scene_core_key_count; i < load->keys.count; i++) {
         const struct key *key = load->keys.items[i].key;
         /* Variants may share a path: the first row stands for all. */
-        if (key_list_find(&load->keys, key->path) != i)
+        if (strstr(key->path, "[]") || key_list_find(&load->keys, key->path) != i)
             continue;
-        size_t active = active_row(load, key->path);
+        size_t active = key_list_find_active(&load->keys, key->path, scene);
         if (active == load->keys.count) {
             if (load->said[i].doc)
-                return refuse_option(load, i);
+                return refuse_option(load, i, load->said[i], "", scene);
             continue;
         }
         key = load->keys.items[active].key;
@@ -269,6 +284,7 @@ void scene_free(struct scene *scene)
         return;
     free(scene->fluids);
     free(scene->bodies);
+    free(scene->measures);
     free(scene->options);
     free(scene);
 }

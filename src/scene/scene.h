@@ -44,6 +44,18 @@ struct scene_body {
     double velocity[3];    /* m/s */
 };
 
+/* A measured quantity. What a quantity does not read is zero. */
+struct scene_measure {
+    char quantity[KEY_TEXT_SIZE]; /* table "measures" */
+    char name[KEY_TEXT_SIZE];     /* of its columns; never empty once loaded, each its own */
+    double at[3], radius;         /* m; radius NAN: the kernel's support */
+    int face;                     /* as in scene_face_names */
+    double min[3], max[3];        /* m, rectangle on the face; NAN: all of it */
+    int axis, side;               /* 0 x, 1 y, 2 z; 0 the largest coordinate, 1 the lowest */
+    double from[3], to[3];        /* m, ends of a line */
+    int64_t points;               /* on it */
+};
+
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
     enum key_type type;
@@ -73,6 +85,8 @@ struct scene {
     size_t fluid_count;    /* at least 1 */
     struct scene_body *bodies;
     size_t body_count;     /* may be 0 */
+    struct scene_measure *measures;
+    size_t measure_count;  /* may be 0 */
 
     struct {
         char method[KEY_TEXT_SIZE];   /* table "solvers" */
@@ -87,6 +101,7 @@ struct scene {
         double end;        /* s */
         double step;       /* upper bound of the time step, s; NAN: chosen */
         double cfl;        /* C1 of the acoustic limit; NAN: the method's */
+        double measure;    /* between rows of a csv output, s; NAN: the frame interval */
     } time;
 
     struct {

@@ -237,6 +237,49 @@ static void schema_shapes(struct schema *s)
     line(s);
 }
 
+static bool owns(const struct variant *variant, const char *path)
+{
+    size_t k = 0;
+    while (k < variant->key_count && strcmp(variant->keys[k].path, path) != 0)
+        k++;
+    return k < variant->key_count;
+}
+
+/* Keys that an element needs when it chose the variant, and those of others, which it must not
+ * have. */
+static void schema_owner(struct schema *s, const struct variant *variant, const char *chooser)
+{
+    int required = 0, refused = 0;
+    fprintf(s->out, "{\"if\": {\"properties\": {\"%s\": {\"const\": \"%s\"}}, \"required\": "
+            "[\"%s\"]}, \"then\": {\"required\": [", chooser, variant->name, chooser);
+    for (size_t k = 0; k < variant->key_count; k++)
+        if (!variant->keys[k].fallback)
+            fprintf(s->out, "%s\"%s\"", required++ ? ", " : "",
+                    strrchr(variant->keys[k].path, '.') + 1);
+    fputs("], \"properties\": {", s->out);
+    for (size_t i = scene_core_key_count; i < s->keys.count; i++) {
+        const char *path = s->keys.items[i].key->path;
+        if (strstr(path, "[].") && key_list_find(&s->keys, path) == i && !owns(variant, path))
+            fprintf(s->out, "%s\"%s\": false", refused++ ? ", " : "", strrchr(path, '.') + 1);
+    }
+    fputs("}}}", s->out);
+}
+
+static void schema_quantities(struct schema *s)
+{
+    const struct variant_table *table = vocabulary_table(s->keys.vocabulary, "measures");
+    if (!table)
+        return;
+    fputs("\"allOf\": [", s->out);
+    for (size_t i = 0; i < table->count; i++) {
+        fputs(i ? "," : "", s->out);
+        line(s);
+        schema_owner(s, table->rows[i], "quantity");
+    }
+    fputs("],", s->out);
+    line(s);
+}
+
 static void schema_members(struct schema *s, const char *prefix)
 {
     char name[KEY_TEXT_SIZE];
@@ -247,6 +290,8 @@ static void schema_members(struct schema *s, const char *prefix)
     schema_required(s, prefix);
     if (strcmp(prefix, "bodies[].") == 0)
         schema_shapes(s);
+    if (strcmp(prefix, "measure[].") == 0)
+        schema_quantities(s);
     fputs("\"properties\": {", s->out);
     s->depth++;
     for (size_t i = 0; i < s->keys.count; i++) {

@@ -34,8 +34,10 @@ static const void *option_memory(const struct scene *scene, const char *path)
 static const void *row_memory(const struct writer *w, size_t row, const void *base)
 {
     const struct key *key = w->keys.items[row].key;
+    if (!key_list_active(&w->keys, row, base))
+        return NULL;
     if (key->offset == KEY_OPTION)
-        return key_list_active(&w->keys, row, w->scene) ? option_memory(w->scene, key->path) : NULL;
+        return option_memory(w->scene, key->path);
     if (strncmp(key->path, "bodies[].", 9) == 0 &&
         !key_fits_shape(key, ((const struct scene_body *)base)->shape))
         return NULL;

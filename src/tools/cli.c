@@ -49,8 +49,8 @@ static enum status check_outputs(const struct cli *cli, struct error *e)
     if (cli->run.output_count || cli->check || cli->plan || cli->run.report ||
         cli->run.write_scene)
         return STATUS_OK;
-    return error_set(e, STATUS_USAGE, "no output; add -o film.mp4, -o 'frame-%%04d.png', -o null "
-                     "or -o hash; or --check, --plan or --report FILE.json");
+    return error_set(e, STATUS_USAGE, "no output; add -o film.mp4, -o 'frame-%%04d.png', "
+                     "-o values.csv, -o null or -o hash; or --check, --plan or --report FILE.json");
 }
 
 static enum status film(const struct cli *cli, const struct scene *scene, struct error *e)

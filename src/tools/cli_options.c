@@ -14,7 +14,7 @@ static const char *const groups[CLI_GROUPS] = {
 
 const struct cli_option cli_options[] = {
     {"output", "OUT", 'o', 1, "Write OUT, by its ending: film.mp4, frame-%04d.png, frame.png (with "
-     "--at), null (compute only), hash (print index, time, state hash and pixel hash of each frame). May be "
+     "--at), values.csv (measured quantities), null (compute only), hash (print index, time, state hash and pixel hash of each frame). May be "
      "given several times: one run, several outputs.",
      NULL, NULL},
     {"at", "T", CLI_AT, 1, "One frame only: the state at exactly T seconds of scene time", NULL, NULL},
