@@ -16,7 +16,8 @@
 
 /* An enum is stored through an int. */
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
-               sizeof(enum body_fill) == sizeof(int), "enums are ints");
+               sizeof(enum body_fill) == sizeof(int) &&
+               sizeof(enum body_start) == sizeof(int), "enums are ints");
 
 const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
 
@@ -72,6 +73,17 @@ const struct key scene_core_keys[] = {
      "another number, another random fill or jitter", BODY(seed)},
     {"bodies[].velocity", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m/s", NULL,
      "at the start", BODY(velocity)},
+    {"bodies[].flow", KEY_CHOICE, 0, "\"none\"", ANY, "", "flows",
+     "velocity field at the start, added to velocity", BODY(flow)},
+    {"bodies[].flow_center", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m", NULL,
+     "flow: the point it is laid about", BODY(flow_center)},
+    {"bodies[].flow_length", KEY_REAL, KEY_ABOVE_MIN, "1", FROM(0), "m", NULL,
+     "flow: its length, as `list flows` says", BODY(flow_length)},
+    {"bodies[].flow_speed", KEY_REAL, 0, "1", ANY, "m/s", NULL,
+     "flow: its speed, as `list flows` says", BODY(flow_speed)},
+    {"bodies[].start", KEY_ENUM, 0, "\"auto\"", ANY, "", "auto|rest|hydrostatic",
+     "pressure at the start: none; by the weight of the fluid above (with the flow's); auto: "
+     "hydrostatic in a settled tank, else the flow's", BODY(start)},
 
     {"solver.method", KEY_CHOICE, 0, "\"wcsph\"", ANY, "", "solvers",
      "pressure solver", IN(solver.method)},

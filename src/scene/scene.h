@@ -22,6 +22,7 @@ enum wall_kind {
 
 enum body_shape { BODY_BOX, BODY_SPHERE, BODY_CYLINDER };
 enum body_fill { FILL_GRID, FILL_RANDOM };
+enum body_start { START_AUTO, START_REST, START_HYDROSTATIC }; /* pressure at the start */
 
 struct scene_fluid {
     char name[KEY_TEXT_SIZE];
@@ -42,6 +43,11 @@ struct scene_body {
     double jitter;         /* standard deviation of displacement from the lattice, in spacings */
     uint64_t seed;
     double velocity[3];    /* m/s */
+    char flow[KEY_TEXT_SIZE]; /* table "flows": added to velocity */
+    double flow_center[3]; /* m */
+    double flow_length;    /* m */
+    double flow_speed;     /* m/s */
+    enum body_start start;
 };
 
 struct scene_option { /* a variant's own key, by path */

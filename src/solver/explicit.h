@@ -60,6 +60,24 @@ static inline void explicit_state(const struct explicit_constants *c, int fluid,
     *volume = c->mass[fluid] / density;
 }
 
+/* The inverse: the density that has this pressure, half the rest density at least. The seventh root
+ * by Newton's method, from above, where it falls to the root steadily. */
+static inline float explicit_density(const struct explicit_constants *c, int fluid, float pressure)
+{
+    double power = 1 + (double)pressure / (double)c->bulk[fluid];
+    double least = c->tait ? 0x1p-7 : 0.5, ratio = power > least ? power : least, next = ratio;
+    if (c->tait) {
+        power = ratio;
+        next = 1 + (power - 1) / 7;
+        do {
+            ratio = next;
+            double r2 = ratio * ratio, r6 = r2 * r2 * r2;
+            next = ratio - (ratio - power / r6) / 7;
+        } while (next < ratio);
+    }
+    return (float)(ratio * (double)c->rest_density[fluid]);
+}
+
 /* Speeds far below what a position can resolve are zero: their products would be denormal numbers,
  * which cost a hundred cycles each and are treated differently by different hardware. */
 static inline float explicit_rest(const struct explicit_constants *c, float speed)

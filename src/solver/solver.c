@@ -1,6 +1,8 @@
 /* The table of solvers, and the choices that are common to them. */
 #include "solver/solver.h"
 
+#include "particles/flows.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -56,7 +58,7 @@ static void expect(const struct scene *scene, struct solver_choice *choice)
         floor += up[a] * (up[a] > 0 ? scene->domain.min[a] : scene->domain.max[a]);
     }
     for (size_t b = 0; b < scene->body_count; b++) {
-        double speed = length3(scene->bodies[b].velocity);
+        double speed = flow_fastest(&scene->bodies[b]);
         double depth = g > 0 ? fmax(0, body_top(&scene->bodies[b], up) - floor) : 0;
         choice->depth = fmax(choice->depth, depth);
         choice->fastest = fmax(choice->fastest, sqrt(speed * speed + 2 * g * depth));
@@ -70,7 +72,7 @@ static void expect_driven(const struct scene *scene, struct solver_choice *choic
         if (scene->domain.walls[2 * a] == WALL_PERIODIC && scene->gravity[a] != 0) {
             double speed = 0;
             for (size_t b = 0; b < scene->body_count; b++)
-                speed = fmax(speed, length3(scene->bodies[b].velocity));
+                speed = fmax(speed, flow_fastest(&scene->bodies[b]));
             choice->depth = 0;
             choice->fastest = speed;
         }
