@@ -13,6 +13,10 @@
 #define FACE(name, index) \
     {"domain.walls." name, KEY_ENUM, 0, "\"closed\"", ANY, "", WALLS, "wall at the " name " face", \
      IN(domain.walls) + index * sizeof(enum wall_kind)}
+#define MOVING(name, index) \
+    {"domain.wall_velocity." name, KEY_VEC3, 0, "[0, 0, 0]", ANY, "m/s", NULL, \
+     "velocity along itself of the closed wall at the " name " face, which drags (no_slip)", \
+     IN(domain.wall_velocity) + index * 3 * sizeof(double)}
 
 /* An enum is stored through an int. */
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
@@ -33,6 +37,8 @@ const struct key scene_core_keys[] = {
      "all faces at once, or an object of faces: a closed plane, boundary particles before one, or "
      "joined to the opposite face", KEY_GROUP},
     FACE("-x", 0), FACE("+x", 1), FACE("-y", 2), FACE("+y", 3), FACE("-z", 4), FACE("+z", 5),
+    MOVING("-x", 0), MOVING("+x", 1), MOVING("-y", 2), MOVING("+y", 3), MOVING("-z", 4),
+    MOVING("+z", 5),
     {"domain.restitution", KEY_REAL, 0, "0", 0, 1, "", NULL,
      "part of the normal velocity kept by a bounce off a plane", IN(domain.restitution)},
     {"domain.no_slip", KEY_BOOL, 0, "true", 0, 0, "", NULL,

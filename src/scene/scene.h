@@ -69,6 +69,7 @@ struct scene {
     struct {
         double min[3], max[3]; /* m */
         enum wall_kind walls[FACE_COUNT];
+        double wall_velocity[FACE_COUNT][3]; /* m/s; closed faces, along the face */
         double restitution;    /* normal velocity kept by a bounce, 0..1 */
         bool no_slip;          /* closed walls drag with the fluid's viscosity */
     } domain;

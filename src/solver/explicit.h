@@ -25,6 +25,7 @@ struct explicit_constants {
     uint32_t low[3], high[3]; /* closed planes, counts */
     bool closed[3];           /* planes stop particles on this axis */
     bool plane[6];            /* and stands for a half space of wall */
+    float wall_velocity[6][3]; /* m/s, of each plane along itself */
     float restitution;
     bool no_slip;
     bool tait, clamp;         /* equation of state; negative pressure set to zero */
@@ -174,9 +175,9 @@ static inline bool explicit_open(const struct explicit_constants *c, const struc
 }
 
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
- * pressure (never sucks); its velocity continues the particle's linearly through zero at the plane,
- * in the normal direction always, along the plane only with no_slip, so that a linear profile has
- * its exact divergence and no spurious drag. */
+ * pressure (never sucks); its velocity continues the particle's linearly through that of the plane
+ * (zero, unless it moves along itself), in the normal direction always, along the plane only with
+ * no_slip, so that a linear profile has its exact divergence and no spurious drag. */
 static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   const struct position *x, const struct motion *v, float density,
                                   struct rate *rate)
@@ -203,7 +204,7 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
         float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * part * drag;
         for (int a = 0; a < 3; a++)
-            rate->acceleration[a] -= scale * v->velocity[a];
+            rate->acceleration[a] -= scale * (v->velocity[a] - c->wall_velocity[face][a]);
     }
 }
 

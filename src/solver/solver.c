@@ -86,6 +86,9 @@ static void choose_walls(const struct scene *scene, const struct space *space,
         enum wall_kind kind = scene->domain.walls[f];
         each->closed[f / 2] = kind != WALL_PERIODIC;
         each->plane[f] = kind == WALL_CLOSED;
+        for (int a = 0; a < 3; a++)
+            each->wall_velocity[f][a] = (float)scene->domain.wall_velocity[f][a];
+        choice->fastest = fmax(choice->fastest, length3(scene->domain.wall_velocity[f]));
         choice->wall_planes = choice->wall_planes || kind == WALL_CLOSED;
         choice->wall_particles = choice->wall_particles || kind == WALL_PARTICLES;
     }
