@@ -52,7 +52,7 @@ SHADERS  := $(wildcard shaders/*)
 SHADER_H := $(SHADERS:shaders/%=$(BUILD)/gen/shaders/%.h)
 TESTS_C  := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/t*.c))
 
-.PHONY: all movie test run-tests bench info install clean FORCE
+.PHONY: all movie test run-tests validate bench info install clean FORCE
 .SECONDARY: $(SHADER_H)
 all: $(PROGRAM)
 
@@ -98,6 +98,9 @@ test:
 	@$(MAKE) --no-print-directory $(parallel) run-tests
 run-tests: all $(TESTS_C)
 	@BUILD=$(BUILD) CC='$(CC)' tests/run
+
+validate: all
+	SPH=$(PROGRAM) PYTHONDONTWRITEBYTECODE=1 python3 tests/validate.py
 
 bench: all
 	$(PROGRAM) bench scenes/bench/*.json scenes/seeds/*.json

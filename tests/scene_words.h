@@ -32,8 +32,11 @@ static const struct variant *const solver_rows[] = {&alpha, &beta, &gamma_row};
 static const struct variant *const force_rows[] = {&drag};
 static const struct variant_table solver_table = {"solvers", "solvers", solver_rows, 3};
 static const struct variant_table force_table = {"forces", "forces", force_rows, 1};
-static const struct variant_table *const word_tables[] = {&solver_table, &force_table};
-static const struct vocabulary words = {word_tables, 2};
+static const struct variant no_flow = {"none", "no flow", NULL, 0, NULL};
+static const struct variant *const flow_rows[] = {&no_flow};
+static const struct variant_table flow_words = {"flows", "flows", flow_rows, 1};
+static const struct variant_table *const word_tables[] = {&solver_table, &force_table, &flow_words};
+static const struct vocabulary words = {word_tables, 3};
 
 /* A scene with a hole for more members: "" or ", \"time\": ..." must complete it. */
 #define SCENE_HEAD \

@@ -9,7 +9,7 @@ static void settle(struct world *w, const char *walls, const char *solver)
                   "\"domain\": {\"min\": [0, 0, 0], \"max\": [0.3, 0.6, 0.3], \"walls\": %s},\n"
                   "\"fluids\": [{\"density\": 900, \"viscosity\": 200}],\n"
                   "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.3, 0.4, 0.3], "
-                  "\"jitter\": 0.05}],\n"
+                  "\"jitter\": 0.05, \"start\": \"rest\"}],\n"
                   "\"solver\": {%s}, \"time\": {\"end\": 9}}", walls, solver);
     world_advance(w, 0.4);
 }

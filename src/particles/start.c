@@ -1,6 +1,9 @@
 /* Turns start points into particles. */
 #include "particles/start.h"
 
+#include "particles/flows.h"
+#include "particles/hydrostatic.h"
+
 void start_count(const struct scene *scene, const struct fill *fill, double *fluid_volume,
                  size_t *fluid_particles)
 {
@@ -31,24 +34,42 @@ static void place(const struct space *space, const struct fill *fill, struct par
     }
 }
 
+/* Velocity and pressure of the particle at fill point i. */
+static struct motion motion_at(const struct scene *scene, const struct hydrostatic *hydrostatic,
+                               const struct fill *fill, size_t i)
+{
+    const struct scene_body *body = &scene->bodies[fill->body[i]];
+    double v[3], pressure = 0;
+    flow_velocity(body, fill->point[i], v);
+    if (body->start != START_REST)
+        pressure = hydrostatic_pressure(hydrostatic, (size_t)fill->body[i], fill->point[i]) +
+                   flow_pressure(body, scene->fluids[body->fluid].density, fill->point[i]);
+    return (struct motion){{(float)v[0], (float)v[1], (float)v[2]}, (float)pressure};
+}
+
 enum status start_bodies(const struct scene *scene, const struct space *space,
                          const struct fill *fill, unsigned fields, struct particles *particles,
                          struct error *e)
 {
-    if (particles_create(particles, fill->count, fields, e))
+    struct hydrostatic hydrostatic;
+    if (hydrostatic_create(&hydrostatic, scene, e))
         return e->status;
+    if (particles_create(particles, fill->count, fields, e)) {
+        hydrostatic_free(&hydrostatic);
+        return e->status;
+    }
     place(space, fill, particles);
     for (size_t i = 0; i < fill->count; i++) {
         const struct scene_body *body = &scene->bodies[fill->body[i]];
         const struct scene_fluid *fluid = &scene->fluids[body->fluid];
-        for (int a = 0; a < 3; a++)
-            particles_motion(particles)[i].velocity[a] = (float)body->velocity[a];
+        particles_motion(particles)[i] = motion_at(scene, &hydrostatic, fill, i);
         particles_density(particles)[i] = (float)fluid->density;
         if (particles->now[FIELD_FLUID])
             ((uint8_t *)particles->now[FIELD_FLUID])[i] = (uint8_t)body->fluid;
         if (particles->now[FIELD_VISCOSITY])
             ((float *)particles->now[FIELD_VISCOSITY])[i] = (float)fluid->viscosity;
     }
+    hydrostatic_free(&hydrostatic);
     return STATUS_OK;
 }
 

@@ -8,8 +8,8 @@
 void start_count(const struct scene *scene, const struct fill *fill, double *fluid_volume,
                  size_t *fluid_particles);
 
-/* Particles at the points of `fill`: ids in that order, velocities of their bodies, rest density,
- * fields `fields`. STATUS_RUN when memory is short. */
+/* Particles at the points of `fill`: ids in that order, velocities and pressures of their bodies
+ * and flows, rest density, fields `fields`. STATUS_RUN when memory is short. */
 enum status start_bodies(const struct scene *scene, const struct space *space,
                          const struct fill *fill, unsigned fields, struct particles *particles,
                          struct error *e);

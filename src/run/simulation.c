@@ -203,6 +203,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
     *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
+        solver_start(&plan->choice, &particles, e) ||
         start_walls(&plan->space, &plan->walls, &walls, e) ||
         s->row->open(&s->backend, &setup, &particles, &walls, e)) {
         particles_free(&particles);

@@ -3,6 +3,7 @@
 #include "backend/cpu/isa.h"
 #include "encode/encode.h"
 #include "grid/search.h"
+#include "particles/flows.h"
 #include "render/color.h"
 #include "render/render.h"
 #include "run/measure.h"
@@ -12,7 +13,7 @@
 static const struct variant_table *const tables[] = {
     &solver_table,    &kernel_table,   &search_table, &backend_table, &isa_table,
     &render_contexts, &encode_table,   &color_table,  &render_maps,
-    &render_overlays, &measure_table,
+    &render_overlays, &measure_table,  &flow_table,
 };
 
 const struct vocabulary run_vocabulary = {tables, sizeof tables / sizeof *tables};

@@ -43,6 +43,27 @@ static enum status check_walls(struct load *load)
     return STATUS_OK;
 }
 
+/* Only closed planes with no_slip drag, and only along themselves. */
+static enum status check_wall_velocity(struct load *load)
+{
+    const struct scene *s = load->scene;
+    for (int f = 0; f < FACE_COUNT; f++) {
+        const double *v = s->domain.wall_velocity[f];
+        char path[KEY_TEXT_SIZE];
+        snprintf(path, sizeof path, "domain.wall_velocity.%s", scene_face_names[f]);
+        if (v[0] == 0 && v[1] == 0 && v[2] == 0)
+            continue;
+        if (s->domain.walls[f] != WALL_CLOSED || !s->domain.no_slip)
+            return load_fail(load, load_place(load, path), "%s: only a closed wall with "
+                             "domain.no_slip drags the fluid along; make domain.walls.%s closed and "
+                             "domain.no_slip true, or remove the key", path, scene_face_names[f]);
+        if (v[f / 2] != 0)
+            return load_fail(load, load_place(load, path), "%s: the wall can move along itself "
+                             "only, so its %c must be 0, not %g m/s", path, "xyz"[f / 2], v[f / 2]);
+    }
+    return STATUS_OK;
+}
+
 static enum status check_fluids(struct load *load)
 {
     const struct scene *s = load->scene;
@@ -158,7 +179,7 @@ static enum status check_amount(struct load *load)
 enum status check_scene(struct load *load)
 {
     static enum status (*const checks[])(struct load *) = {
-        check_domain, check_walls, check_fluids, resolve_fluids, check_times,
+        check_domain, check_walls, check_wall_velocity, check_fluids, resolve_fluids, check_times,
         check_camera, check_color, check_amount, check_bodies, check_measures};
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && !status; i++)

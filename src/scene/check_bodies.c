@@ -184,6 +184,20 @@ static enum status check_overlaps(struct load *load)
     return status;
 }
 
+/* Nothing carries the weight where gravity acts along a periodic axis. */
+static enum status check_start(struct load *load, size_t i)
+{
+    const struct scene *s = load->scene;
+    for (int a = 0; a < 3; a++)
+        if (s->bodies[i].start == START_HYDROSTATIC && s->gravity[a] != 0 &&
+            s->domain.walls[2 * a] == WALL_PERIODIC)
+            return load_fail(load, load_element_place(load, ARRAY_BODIES, i, "bodies[].start"),
+                             "bodies.%zu.start is hydrostatic, but gravity acts along %c, where "
+                             "the domain is periodic and no floor carries the fluid; use \"rest\" "
+                             "or walls at %c", i, "xyz"[a], "xyz"[a]);
+    return STATUS_OK;
+}
+
 enum status check_bodies(struct load *load)
 {
     enum status status = STATUS_OK;
@@ -191,6 +205,8 @@ enum status check_bodies(struct load *load)
         status = check_size(load, i);
         if (!status)
             status = check_inside(load, i);
+        if (!status)
+            status = check_start(load, i);
     }
     return status ? status : check_overlaps(load);
 }

@@ -14,10 +14,15 @@
 #define FACE(name, index) \
     {"domain.walls." name, KEY_ENUM, 0, "\"closed\"", ANY, "", WALLS, "wall at the " name " face", \
      IN(domain.walls) + index * sizeof(enum wall_kind)}
+#define MOVING(name, index) \
+    {"domain.wall_velocity." name, KEY_VEC3, 0, "[0, 0, 0]", ANY, "m/s", NULL, \
+     "velocity along itself of the closed wall at the " name " face, which drags (no_slip)", \
+     IN(domain.wall_velocity) + index * 3 * sizeof(double)}
 
 /* An enum is stored through an int. */
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
-               sizeof(enum body_fill) == sizeof(int), "enums are ints");
+               sizeof(enum body_fill) == sizeof(int) &&
+               sizeof(enum body_start) == sizeof(int), "enums are ints");
 
 const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
 
@@ -33,6 +38,8 @@ const struct key scene_core_keys[] = {
      "all faces at once, or an object of faces: a closed plane, boundary particles before one, or "
      "joined to the opposite face", KEY_GROUP},
     FACE("-x", 0), FACE("+x", 1), FACE("-y", 2), FACE("+y", 3), FACE("-z", 4), FACE("+z", 5),
+    MOVING("-x", 0), MOVING("+x", 1), MOVING("-y", 2), MOVING("+y", 3), MOVING("-z", 4),
+    MOVING("+z", 5),
     {"domain.restitution", KEY_REAL, 0, "0", 0, 1, "", NULL,
      "part of the normal velocity kept by a bounce off a plane", IN(domain.restitution)},
     {"domain.no_slip", KEY_BOOL, 0, "true", 0, 0, "", NULL,
@@ -73,6 +80,17 @@ const struct key scene_core_keys[] = {
      "another number, another random fill or jitter", BODY(seed)},
     {"bodies[].velocity", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m/s", NULL,
      "at the start", BODY(velocity)},
+    {"bodies[].flow", KEY_CHOICE, 0, "\"none\"", ANY, "", "flows",
+     "velocity field at the start, added to velocity", BODY(flow)},
+    {"bodies[].flow_center", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m", NULL,
+     "flow: the point it is laid about", BODY(flow_center)},
+    {"bodies[].flow_length", KEY_REAL, KEY_ABOVE_MIN, "1", FROM(0), "m", NULL,
+     "flow: its length, as `list flows` says", BODY(flow_length)},
+    {"bodies[].flow_speed", KEY_REAL, 0, "1", ANY, "m/s", NULL,
+     "flow: its speed, as `list flows` says", BODY(flow_speed)},
+    {"bodies[].start", KEY_ENUM, 0, "\"auto\"", ANY, "", "auto|rest|hydrostatic",
+     "pressure at the start: none; by the weight of the fluid above (with the flow's); auto: "
+     "hydrostatic in a settled tank, else the flow's", BODY(start)},
 
     {"measure[].quantity", KEY_CHOICE, 0, NULL, ANY, "", "measures",
      "what the columns of a csv output hold", MEASURE(quantity)},

@@ -22,6 +22,7 @@ enum wall_kind {
 
 enum body_shape { BODY_BOX, BODY_SPHERE, BODY_CYLINDER };
 enum body_fill { FILL_GRID, FILL_RANDOM };
+enum body_start { START_AUTO, START_REST, START_HYDROSTATIC }; /* pressure at the start */
 
 struct scene_fluid {
     char name[KEY_TEXT_SIZE];
@@ -42,6 +43,11 @@ struct scene_body {
     double jitter;         /* standard deviation of displacement from the lattice, in spacings */
     uint64_t seed;
     double velocity[3];    /* m/s */
+    char flow[KEY_TEXT_SIZE]; /* table "flows": added to velocity */
+    double flow_center[3]; /* m */
+    double flow_length;    /* m */
+    double flow_speed;     /* m/s */
+    enum body_start start;
 };
 
 /* A measured quantity. What a quantity does not read is zero. */
@@ -75,6 +81,7 @@ struct scene {
     struct {
         double min[3], max[3]; /* m */
         enum wall_kind walls[FACE_COUNT];
+        double wall_velocity[FACE_COUNT][3]; /* m/s; closed faces, along the face */
         double restitution;    /* normal velocity kept by a bounce, 0..1 */
         bool no_slip;          /* closed walls drag with the fluid's viscosity */
     } domain;

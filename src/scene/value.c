@@ -163,7 +163,7 @@ static enum status read_variant(const struct reading *r, const char *text)
 
 static enum status read_choice(const struct reading *r, void *memory)
 {
-    char text[KEY_TEXT_SIZE];
+    char text[KEY_TEXT_SIZE] = ""; /* its tail is copied too */
     enum status status = read_text(r, text);
     if (status)
         return status;

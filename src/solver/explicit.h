@@ -25,12 +25,14 @@ struct explicit_constants {
     uint32_t low[3], high[3]; /* closed planes, counts */
     bool closed[3];           /* planes stop particles on this axis */
     bool plane[6];            /* and stands for a half space of wall */
+    float wall_velocity[6][3]; /* m/s, of each plane along itself */
     float restitution;
     bool no_slip;
     bool tait, clamp;         /* equation of state; negative pressure set to zero */
     float rest_speed;         /* m/s; slower than this is at rest */
     float spacing;            /* d, m */
     float h;                  /* m */
+    float gravity[3];         /* that pressure can balance: not along periodic axes, m/s^2 */
     float normal;             /* what makes lattice gradients exact: 1 / moment */
     float number_density;     /* sigma d^3 / h^3: sum of w to V_rest sum W */
     float rest_density[FLUIDS_MAX]; /* kg/m^3 */
@@ -59,6 +61,24 @@ static inline void explicit_state(const struct explicit_constants *c, int fluid,
     float p = c->bulk[fluid] * (ratio - 1);
     *pressure = c->clamp && p < 0 ? 0 : p;
     *volume = c->mass[fluid] / density;
+}
+
+/* The inverse: the density that has this pressure, half the rest density at least. The seventh root
+ * by Newton's method, from above, where it falls to the root steadily. */
+static inline float explicit_density(const struct explicit_constants *c, int fluid, float pressure)
+{
+    double power = 1 + (double)pressure / (double)c->bulk[fluid];
+    double least = c->tait ? 0x1p-7 : 0.5, ratio = power > least ? power : least, next = ratio;
+    if (c->tait) {
+        power = ratio;
+        next = 1 + (power - 1) / 7;
+        do {
+            ratio = next;
+            double r2 = ratio * ratio, r6 = r2 * r2 * r2;
+            next = ratio - (ratio - power / r6) / 7;
+        } while (next < ratio);
+    }
+    return (float)(ratio * (double)c->rest_density[fluid]);
 }
 
 /* Speeds far below what a position can resolve are zero: their products would be denormal numbers,
@@ -157,9 +177,11 @@ static inline bool explicit_open(const struct explicit_constants *c, const struc
 }
 
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
- * pressure (never sucks); its velocity continues the particle's linearly through zero at the plane,
- * in the normal direction always, along the plane only with no_slip, so that a linear profile has
- * its exact divergence and no spurious drag. Without `pushes` it only drags. */
+ * pressure (never sucks) and, where that pushes, continues it hydrostatically (Adami et al. 2012), or
+ * fluid along a wall would sink; its velocity continues the particle's linearly through that of the
+ * plane (zero, unless it moves along itself), in the normal direction always, along the plane only
+ * with no_slip, so that a linear profile has its exact divergence and no spurious drag. Without
+ * `pushes` it only drags. */
 static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   const struct position *x, const struct motion *v, float density,
                                   bool pushes, struct rate *rate)
@@ -182,13 +204,17 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
             float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
             rate->acceleration[n] += inward * p * area / density;
             rate->density -= density * inward * v->velocity[n] * closing;
+            float share = part * plane_value(c->planes.volume, q);
+            for (int a = 0; a < 3 && p > 0; a++)
+                rate->acceleration[a] -=
+                    c->gravity[a] * (share + (a == n ? q * c->h * area : 0));
         }
         if (!c->no_slip || c->viscosity[fluid] == 0)
             continue;
         float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
         float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * part * drag;
         for (int a = 0; a < 3; a++)
-            rate->acceleration[a] -= scale * v->velocity[a];
+            rate->acceleration[a] -= scale * (v->velocity[a] - c->wall_velocity[face][a]);
     }
 }
 

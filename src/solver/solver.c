@@ -1,6 +1,8 @@
 /* The table of solvers, and the choices that are common to them. */
 #include "solver/solver.h"
 
+#include "particles/flows.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -58,7 +60,7 @@ static void expect(const struct scene *scene, struct solver_choice *choice)
         floor += up[a] * (up[a] > 0 ? scene->domain.min[a] : scene->domain.max[a]);
     }
     for (size_t b = 0; b < scene->body_count; b++) {
-        double speed = length3(scene->bodies[b].velocity);
+        double speed = flow_fastest(&scene->bodies[b]);
         double depth = g > 0 ? fmax(0, body_top(&scene->bodies[b], up) - floor) : 0;
         choice->depth = fmax(choice->depth, depth);
         choice->fastest = fmax(choice->fastest, sqrt(speed * speed + 2 * g * depth));
@@ -72,7 +74,7 @@ static void expect_driven(const struct scene *scene, struct solver_choice *choic
         if (scene->domain.walls[2 * a] == WALL_PERIODIC && scene->gravity[a] != 0) {
             double speed = 0;
             for (size_t b = 0; b < scene->body_count; b++)
-                speed = fmax(speed, length3(scene->bodies[b].velocity));
+                speed = fmax(speed, flow_fastest(&scene->bodies[b]));
             choice->depth = 0;
             choice->fastest = speed;
         }
@@ -86,6 +88,9 @@ static void choose_walls(const struct scene *scene, const struct space *space,
         enum wall_kind kind = scene->domain.walls[f];
         each->closed[f / 2] = kind != WALL_PERIODIC;
         each->plane[f] = kind == WALL_CLOSED;
+        for (int a = 0; a < 3; a++)
+            each->wall_velocity[f][a] = (float)scene->domain.wall_velocity[f][a];
+        choice->fastest = fmax(choice->fastest, length3(scene->domain.wall_velocity[f]));
         choice->wall_planes = choice->wall_planes || kind == WALL_CLOSED;
         choice->wall_particles = choice->wall_particles || kind == WALL_PARTICLES;
     }
@@ -134,6 +139,7 @@ static void choose_scales(const struct scene *scene, const struct space *space,
         choice->pair.scale[a] = (float)(space->unit[a] / h);
         choice->pair.gravity[a] = (float)scene->gravity[a];
         choice->pair.head[a] = (float)(scene->gravity[a] * h);
+        choice->each.gravity[a] = space->periodic[a] ? 0 : (float)scene->gravity[a];
         choice->each.unit[a] = space->unit[a];
         choice->each.per_metre[a] = (float)(1 / space->unit[a]);
         choice->each.near[a] = (uint32_t)(2 * h / space->unit[a] * (1 - 1e-6));

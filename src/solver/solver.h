@@ -68,6 +68,12 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
                    const struct space *space, const double *fluid_volume,
                    const size_t *fluid_particles, struct solver_choice *choice);
 
+/* Makes the particles' density follow from the pressure they start with, by the inverse of the
+ * equation of state, where density is a state (continuity); their masses stay. Negative pressure
+ * becomes zero where the solver has none. STATUS_USAGE when a fluid is too soft for it. */
+enum status solver_start(const struct solver_choice *choice, struct particles *particles,
+                         struct error *e);
+
 /* Support radius of the scene's kernel, m. */
 double solver_support(const struct solver_row *solver, const struct scene *scene,
                       const struct kernel_row **kernel);

@@ -147,6 +147,8 @@ static enum status cpu_open(struct backend **out, const struct backend_setup *se
     }
     if (allocate(b, e) || (b->wall.count && weigh_walls(b, e)))
         goto failed;
+    if (b->choice.is_implicit)
+        cpu_solve_start(b);
     snprintf(b->text, sizeof b->text, "cpu (%s, %d thread%s)", b->isa->variant.name, b->threads,
              b->threads == 1 ? "" : "s");
     *out = b;

@@ -38,6 +38,9 @@ void cpu_pairs(struct backend *b, pair_function *pass);
 void cpu_kick(struct backend *b, struct step *step);
 void cpu_move(struct backend *b, struct step *step);
 
+/* Volumes, and the first pressures to start from. */
+void cpu_solve_start(struct backend *b);
+
 /* A pair pass of the implicit solver; a sweep sets step->residual. */
 void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass);
 

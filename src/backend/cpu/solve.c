@@ -4,6 +4,16 @@
 #include <float.h>
 #include <math.h>
 
+void cpu_solve_start(struct backend *b)
+{
+    struct particles *p = &b->particles;
+    struct warm *warm = p->now[FIELD_WARM];
+    for (size_t i = 0; i < p->count; i++) {
+        particles_position(p)[i].volume = b->choice.implicit.volume[particles_fluid(p, i)];
+        warm[i].velocity = particles_motion(p)[i].pressure / b->choice.implicit.pressure;
+    }
+}
+
 /* Trial pressures of the blocks' sweeps; the sum of integers does not depend on its order. */
 static double mean_residual(const int64_t *residual, size_t blocks, size_t particles)
 {
