@@ -89,6 +89,8 @@ static inline void reference_add(const struct cloud *c, unsigned flags, struct r
         push = i->volume * i->pressure + j->volume * j->volume / i->volume * j->pressure;
     if (flags & PAIR_ARTIFICIAL)
         push += j->volume * k->artificial * (dot < 0 ? -dot / q : 0.0);
+    if (flags & PAIR_DRAG_ONLY)
+        push = 0;
     if (flags & PAIR_OWN_VISCOSITY)
         mu = i->viscosity + j->viscosity;
     if (flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))

@@ -20,8 +20,25 @@ static void write_fields(unsigned mask, FILE *out)
         }
 }
 
+static void write_solves(const struct solver_choice *c, FILE *out)
+{
+    fprintf(out, "pressure       solved for; velocity to a mean compression of %g a step, shift to %g, at "
+                 "most %d sweeps\n",
+            c->solves[SOLVE_VELOCITY].tolerance, c->solves[SOLVE_SHIFT].tolerance,
+            c->solves[SOLVE_SHIFT].most);
+    fprintf(out, "relaxation     %.3f (%.2g of the Jacobi window of this kernel and support)\n",
+            c->implicit.omega, DFSPH_WINDOW_PART);
+    fprintf(out, "time step      %.3g d / fastest", c->cfl * 0.4);
+    if (isfinite(c->limits.viscous))
+        fprintf(out, ", viscous %.4g s", c->limits.viscous);
+    if (isfinite(c->limits.user))
+        fprintf(out, ", scene %.4g s", c->limits.user);
+    fputs("\n", out);
+}
+
 static void write_limits(const struct solver_choice *c, FILE *out)
 {
+    fprintf(out, "sound speed    %.4g m/s\n", c->sound_speed);
     double acoustic = c->limits.acoustic / (c->sound_speed + c->fastest);
     fprintf(out, "time step      at most %.4g s (acoustic", fmin(c->limits.user,
             fmin(acoustic, c->limits.viscous)));
@@ -35,8 +52,9 @@ static void write_limits(const struct solver_choice *c, FILE *out)
 
 static void write_terms(const struct solver_choice *c, FILE *out)
 {
-    fprintf(out, "terms          pressure (%s)",
-            c->flags & PAIR_SYMMETRIC ? "symmetric" : "average");
+    fprintf(out, "terms          pressure (%s)", c->is_implicit             ? "implicit"
+                                                 : c->flags & PAIR_SYMMETRIC ? "symmetric"
+                                                                              : "average");
     if (c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         fprintf(out, ", viscosity%s", c->flags & PAIR_OWN_VISCOSITY ? " per fluid" : "");
     if (c->flags & PAIR_ARTIFICIAL)
@@ -79,8 +97,7 @@ void plan_write(const struct plan *plan, FILE *out)
                  "neighbours)\n",
             plan->solver->variant.name, c->kernel->variant.name, c->support, ratio,
             kernel_lattice_neighbours(ratio));
-    fprintf(out, "sound speed    %.4g m/s\n", c->sound_speed);
-    write_limits(c, out);
+    (c->is_implicit ? write_solves : write_limits)(c, out);
     write_terms(c, out);
     fprintf(out, "neighbours     %s\n", plan->search->variant.name);
     if (plan->draws && plan->color->solid)

@@ -166,9 +166,12 @@ static void say_choices(const struct session *x)
 {
     const struct solver_choice *c = &x->plan.choice;
     const struct simulation *s = &x->simulation;
-    log_info("%zu particles, %s on %s, support %.3g spacings, sound speed %.4g m/s, step %.3g s",
+    char sound[48] = "";
+    if (c->sound_speed > 0)
+        snprintf(sound, sizeof sound, "sound speed %.4g m/s, ", c->sound_speed);
+    log_info("%zu particles, %s on %s, support %.3g spacings, %sstep %.3g s",
              x->plan.bodies.count, x->plan.solver->variant.name, s->row->describe(s->backend),
-             c->support / c->spacing, c->sound_speed, s->last_dt);
+             c->support / c->spacing, sound, s->last_dt);
     if (film_renderer(x->film))
         log_info("renderer %s", film_renderer(x->film));
     if (x->plan.scene->measure_count && !x->plan.measures.count)

@@ -30,7 +30,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     choice->limits.acoustic = INFINITY;
     choice->limits.force = INFINITY;
     choice->implicit.gradient = choice->pair.gradient * (float)choice->moment;
-    choice->implicit.omega = (float)(0.8 * 2 / radius);
+    choice->implicit.omega = (float)(DFSPH_WINDOW_PART * 2 / radius);
     choice->implicit.pressure = (float)choice->moment;
     choice->implicit.most = 0.02f;
     choice->implicit.slack = 0.03f;

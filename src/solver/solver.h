@@ -21,6 +21,8 @@ struct step_limits {
     double user;      /* time.step */
 };
 
+#define DFSPH_WINDOW_PART 0.8 /* relaxation, of what the Jacobi window allows */
+
 /* When the sweeps of an implicit solve end. */
 struct solve_limits {
     double tolerance; /* mean positive compression */
