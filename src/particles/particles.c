@@ -13,9 +13,9 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_ID] = {"id", "identity", sizeof(uint32_t), 1},
     [FIELD_FLUID] = {"fluid", "index of the fluid", sizeof(uint8_t), 1},
     [FIELD_VISCOSITY] = {"viscosity", "dynamic viscosity", sizeof(float), 1},
-    [FIELD_LOAD] = {"load", "position, volume times pressure", sizeof(struct position), 1},
-    [FIELD_FLUX] = {"flux", "volume times trial velocity", sizeof(struct motion), 1},
-    [FIELD_FACTOR] = {"factor", "kernel gradient sum, diagonal, walls, density", 8 * sizeof(float), 1},
+    [FIELD_LOAD] = {"load", "position, volume times pressure", sizeof(struct position), 0},
+    [FIELD_FLUX] = {"flux", "volume times trial velocity", sizeof(struct motion), 0},
+    [FIELD_FACTOR] = {"factor", "kernel gradient sum, diagonal, walls, density", 8 * sizeof(float), 0},
     [FIELD_WARM] = {"warm", "pressures that the next solves start from", sizeof(float), 1},
 };
 

@@ -39,9 +39,16 @@ enum field {
 struct field_row {
     const char *name, *doc;
     size_t size;   /* bytes per particle */
-    int copies;    /* 2: the state before the step is kept, so that a step can be redone */
+    int copies;    /* 2: the state before the step is kept, so that a step can be redone;
+                      0: one, of use within a step only, which sorting leaves alone */
 };
 extern const struct field_row field_table[FIELD_COUNT];
+
+/* Bytes that a field takes of each particle. */
+static inline size_t field_bytes(const struct field_row *row)
+{
+    return row->copies == 2 ? 2 * row->size : row->size;
+}
 
 #define FIELD_BIT(f) (1u << (f))
 

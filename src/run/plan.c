@@ -72,7 +72,7 @@ static void plan_fields(struct plan *plan)
     plan->fields = fields;
     for (int f = 0; f < FIELD_COUNT; f++)
         if (fields & FIELD_BIT(f))
-            plan->bytes_per_particle += field_table[f].size * (size_t)field_table[f].copies;
+            plan->bytes_per_particle += field_bytes(&field_table[f]);
 }
 
 /* Every field that a pass reads must be set at the start or written by a pass. */

@@ -110,7 +110,7 @@ void plan_write(const struct plan *plan, FILE *out)
     for (int f = 0; f < FIELD_COUNT; f++)
         if (plan->fields & FIELD_BIT(f))
             fprintf(out, " %s %zu", field_table[f].name,
-                    field_table[f].size * (size_t)field_table[f].copies);
+                    field_bytes(&field_table[f]));
     fprintf(out, "; and 4 bytes a neighbour\n\npasses of a step\n");
     for (size_t k = 0; k < plan->pass_count; k++) {
         const struct pass_row *pass = plan->passes[k];

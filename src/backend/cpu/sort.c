@@ -31,7 +31,7 @@ static void permute_fields(struct backend *b, struct particles *p)
 {
     for (int f = 0; f < FIELD_COUNT; f++) {
         void **other = p->before[f] ? &p->before[f] : &b->spare;
-        if (!p->now[f])
+        if (!p->now[f] || field_table[f].copies == 0)
             continue;
         permute(*other, p->now[f], b->order, p->count, field_table[f].size);
         if (p->before[f]) { /* the sorted copy becomes the present state */
