@@ -26,6 +26,7 @@ struct step {
     double list_radius;/* m, for sort and neighbours */
     struct extremes extremes; /* of the last predict, correct or move pass */
     enum solve solve;         /* which of the implicit solver's two */
+    float momentum;           /* of its sweeps */
     double residual;          /* mean compression left by the last sweep */
 };
 

@@ -23,7 +23,7 @@ static double implicit_step(const struct simulation *s, double speed)
     if (speed + reached > 0)
         dt = fmin(dt, most / (speed + reached));
     if (force > 0)
-        dt = fmin(dt, 0.35 * sqrt(c->spacing / force));
+        dt = fmin(dt, 0.1 * sqrt(c->spacing / force));
     return fmin(dt, 1.1 * s->last_dt);
 }
 

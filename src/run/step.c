@@ -41,7 +41,9 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
     while (plan->passes[*end]->kind != PASS_END)
         ++*end;
     step->solve = plan->passes[loop]->id == PASS_SOLVE_SHIFT ? SOLVE_SHIFT : SOLVE_VELOCITY;
-    for (int sweeps = 1;; sweeps++) {
+    const struct solve_limits *limit = &plan->choice.solves[step->solve];
+    for (int sweeps = 1;; sweeps++) { /* momentum as Nesterov 1983, bounded for the active set's sake */
+        step->momentum = (float)(limit->momentum * (sweeps - 1) / (sweeps + 2));
         if (run_passes(s, loop + 1, *end, step, e))
             return e->status;
         if (!sweep_again(s, step, sweeps))

@@ -38,9 +38,9 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     for (size_t f = 0; f < scene->fluid_count; f++)
         choice->implicit.volume[f] = choice->each.mass[f] / choice->each.rest_density[f];
     choice->solves[SOLVE_VELOCITY] = (struct solve_limits){
-        scene_real(scene, "solver.divergence_error"), 1, most};
+        scene_real(scene, "solver.divergence_error"), 1, most, 0.9};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){
-        scene_real(scene, "solver.density_error"), 1, most};
+        scene_real(scene, "solver.density_error"), 1, most, 0.9};
     if (choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         choice->flags |= PAIR_DRAG_ONLY;
 }

@@ -45,6 +45,7 @@ struct factor {
 /* What the next step's solves start from. */
 struct warm {
     float velocity; /* Pa */
+    float last;     /* Pa, of the sweep before, within a solve */
 };
 
 /* Wall part of the density and of G, and S. Returns the density share. */
@@ -88,7 +89,7 @@ static inline void implicit_factor(const struct explicit_constants *c,
     float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) *
                                      (widest * widest) * squares;
     bool weak = !(diagonal * rest * c->h * c->h > 1e-5f);
-    f->inverse = weak ? 0 : 1 / diagonal;
+    f->inverse = weak ? 0 : 1 / (diagonal * widest);
 }
 
 /* A sum of rounding errors only; kept, its products would be denormal, and slow. */
@@ -129,7 +130,8 @@ static inline float implicit_base(const struct implicit_constants *m, enum solve
  * where expansion is free. */
 static inline float implicit_sweep(const struct implicit_constants *m, int fluid, float dt,
                                    float base, const struct factor *f, const float flux[3],
-                                   float sum, bool holds, float *pressure)
+                                   float sum, bool holds, float momentum,
+                                   float *last, float *pressure)
 {
     float dot = 0;
     for (int a = 0; a < 3; a++)
@@ -137,7 +139,10 @@ static inline float implicit_sweep(const struct implicit_constants *m, int fluid
     float divergence = dot / m->volume[fluid] - m->gradient * implicit_settled(sum);
     float excess = base + dt * divergence;
     float next = *pressure + m->omega * f->inverse / (dt * dt) * excess;
-    *pressure = next > 0 || holds ? next : 0;
+    next = next > 0 || holds ? next : 0;
+    float ahead = next + momentum * (next - *last);
+    *last = next;
+    *pressure = ahead > 0 || holds ? ahead : 0;
     float error = holds ? fabsf(excess) : excess;
     return error > 0 && f->inverse > 0 ? error : 0;
 }

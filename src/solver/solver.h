@@ -21,12 +21,13 @@ struct step_limits {
     double user;      /* time.step */
 };
 
-#define DFSPH_WINDOW_PART 0.8 /* relaxation, of what the Jacobi window allows */
+#define DFSPH_WINDOW_PART 0.6 /* relaxation, of what the Jacobi window allows */
 
 /* When the sweeps of an implicit solve end. */
 struct solve_limits {
     double tolerance; /* mean positive compression */
     int least, most;  /* sweeps */
+    double momentum;  /* of sweep k: times (k - 1)/(k + 2) */
 };
 
 struct solver_choice {

@@ -44,6 +44,7 @@ struct solve_work {
     const struct implicit_constants *implicit;
     enum solve solve;
     float dt;                   /* s */
+    float momentum;             /* of the sweeps */
     struct position *load;
     struct motion *flux, *motion;
     struct factor *factor;

@@ -32,6 +32,7 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
         .implicit = &b->choice.implicit,
         .solve = step->solve,
         .dt = step->dt,
+        .momentum = step->momentum,
         .load = p->now[FIELD_LOAD],
         .flux = p->now[FIELD_FLUX],
         .motion = particles_motion(p),
@@ -53,7 +54,7 @@ void cpu_kick(struct backend *b, struct step *step)
 {
     struct particles *p = &b->particles;
     const struct rate *rate = p->now[FIELD_RATE];
-    const struct warm *warm = p->now[FIELD_WARM];
+    struct warm *warm = p->now[FIELD_WARM];
     struct position *load = p->now[FIELD_LOAD];
     const float *gravity = b->choice.pair.gravity;
 #pragma omp parallel for schedule(static)
@@ -62,7 +63,7 @@ void cpu_kick(struct backend *b, struct step *step)
         const float *a = rate ? rate[i].acceleration : gravity;
         for (int d = 0; d < 3; d++)
             motion->velocity[d] += step->dt * a[d];
-        motion->pressure = warm[i].velocity;
+        motion->pressure = warm[i].last = warm[i].velocity;
         load[i].volume = b->choice.implicit.volume[particles_fluid(p, i)] * motion->pressure;
     }
 }

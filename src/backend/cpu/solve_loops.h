@@ -16,7 +16,7 @@
         }                                                                                          \
     } while (0)
 
-static inline int solve_fluid(const struct pair_work *w, size_t i)
+FORCE_INLINE int solve_fluid(const struct pair_work *w, size_t i)
 {
     return w->fluid ? w->fluid[i] : 0;
 }
@@ -82,7 +82,7 @@ FORCE_INLINE void factor_blocks(const struct pair_work *w, size_t first_block, s
 
 /* The trial velocity (or, in a shift, displacement / dt) of the particle at k; with `project` its
  * new velocity, and a shift of zero to start from. */
-static inline void push_store(const struct pair_work *w, size_t k, const float sum[3],
+FORCE_INLINE void push_store(const struct pair_work *w, size_t k, const float sum[3],
                               bool project)
 {
     const struct solve_work *solve = w->solve;
@@ -98,6 +98,7 @@ static inline void push_store(const struct pair_work *w, size_t k, const float s
     if (project) {
         solve->warm[k].velocity = motion->pressure;
         motion->pressure = 0;
+        solve->warm[k].last = 0;
     }
 }
 
@@ -126,7 +127,7 @@ FORCE_INLINE void push_blocks(const struct pair_work *w, size_t first_block, siz
 }
 
 /* Relaxes the pressure at k; returns its compression in 2^-40. */
-static inline int64_t sweep_store(const struct pair_work *w, size_t k, float sum)
+FORCE_INLINE int64_t sweep_store(const struct pair_work *w, size_t k, float sum)
 {
     const struct solve_work *solve = w->solve;
     int fluid = solve_fluid(w, k);
@@ -135,9 +136,10 @@ static inline int64_t sweep_store(const struct pair_work *w, size_t k, float sum
     float *pressure = &solve->motion[k].pressure, error;
     error = implicit_sweep(solve->implicit, fluid, solve->dt, base, &solve->factor[k],
                            solve->flux[k].velocity, sum,
-                           implicit_holds(solve->implicit, solve->solve, ratio), pressure);
+                           implicit_holds(solve->implicit, solve->solve, ratio), solve->momentum,
+                           &solve->warm[k].last, pressure);
     solve->load[k].volume = solve->implicit->volume[fluid] * *pressure;
-    return (int64_t)((error < 1024 ? error : 1024) * 0x1p40f);
+    return (int64_t)((error < 1 ? error : 1) * 0x1p40f);
 }
 
 FORCE_INLINE void sweep_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
