@@ -27,6 +27,7 @@ struct step {
     struct extremes extremes; /* of the last predict, correct or move pass */
     enum solve solve;         /* which of the implicit solver's two */
     float momentum;           /* of its sweeps */
+    float resume;             /* part of the last step's shift that the next starts from */
     double residual;          /* mean compression left by the last sweep */
 };
 

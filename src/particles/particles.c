@@ -16,7 +16,7 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_LOAD] = {"load", "position, volume times pressure", sizeof(struct position), 0},
     [FIELD_FLUX] = {"flux", "volume times trial velocity", sizeof(struct motion), 0},
     [FIELD_FACTOR] = {"factor", "kernel gradient sum, diagonal, walls, density", 8 * sizeof(float), 0},
-    [FIELD_WARM] = {"warm", "pressures that the next solves start from", 2 * sizeof(float), 1},
+    [FIELD_WARM] = {"warm", "pressures that solves hand on", 3 * sizeof(float), 1},
 };
 
 enum status particles_create(struct particles *particles, size_t count, unsigned fields,

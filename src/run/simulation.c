@@ -148,7 +148,7 @@ enum status simulation_step(struct simulation *s, double target, struct error *e
         double parts = ceil(left / most * (1 - 1e-9)); /* equal steps up to the target */
         double dt = isfinite(left) ? left / fmax(parts, 1) : most;
         uint32_t bad = UINT32_MAX;
-        if (keep_rows(s, dt, e) || step_try(s, dt, &bad, e))
+        if (keep_rows(s, dt, e) || step_try(s, dt, halvings > 0, &bad, e))
             return e->status;
         if (bad == UINT32_MAX)
             return accept(s, dt, most, parts <= 1, target, e);

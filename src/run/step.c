@@ -57,10 +57,12 @@ static bool reports(enum pass_id id)
     return id == PASS_PREDICT || id == PASS_CORRECT || id == PASS_MOVE;
 }
 
-enum status step_try(struct simulation *s, double dt, uint32_t *bad, struct error *e)
+enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, struct error *e)
 {
     const struct plan *plan = s->plan;
-    struct step step = {.dt = (float)dt};
+    /* A step that is redone starts its shift from nothing: what it had may be the cause. */
+    float resume = redo ? 0 : (float)plan->choice.solves[SOLVE_SHIFT].resume;
+    struct step step = {.dt = (float)dt, .resume = resume};
     double moved = 0;
     *bad = UINT32_MAX;
     s->row->begin(s->backend);

@@ -4,9 +4,9 @@
 
 #include "run/simulation.h"
 
-/* Tries a step of dt, s. Sets *bad to the smallest id of a particle that must not move so, and then
+/* Tries a step of dt, s, or tries it again (redo). Sets *bad to the smallest id of a particle that must not move so, and then
  * the state is the one before; else to UINT32_MAX. */
-enum status step_try(struct simulation *s, double dt, uint32_t *bad, struct error *e);
+enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, struct error *e);
 
 /* The passes between predict and correct, at the present state (explicit solvers). */
 enum status step_forces(struct simulation *s, struct step *step, struct error *e);

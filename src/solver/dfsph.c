@@ -18,7 +18,7 @@ static const struct key keys[] = {
 static const enum pass_id passes[] = {
     PASS_SORT,  PASS_NEIGHBOURS, PASS_FACTOR, PASS_FORCE, PASS_WALLS, PASS_KICK,
     PASS_SOLVE_VELOCITY, PASS_PUSH, PASS_SWEEP, PASS_SOLVED, PASS_PROJECT,
-    PASS_SOLVE_SHIFT, PASS_SWEEP, PASS_PUSH, PASS_SOLVED, PASS_MOVE,
+    PASS_RESUME, PASS_SOLVE_SHIFT, PASS_PUSH, PASS_SWEEP, PASS_SOLVED, PASS_PUSH, PASS_MOVE,
 };
 
 static void choose(const struct scene *scene, struct solver_choice *choice)
@@ -38,9 +38,9 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     for (size_t f = 0; f < scene->fluid_count; f++)
         choice->implicit.volume[f] = choice->each.mass[f] / choice->each.rest_density[f];
     choice->solves[SOLVE_VELOCITY] = (struct solve_limits){
-        scene_real(scene, "solver.divergence_error"), 1, most, 0.9};
+        scene_real(scene, "solver.divergence_error"), 1, most, 1, 0.9};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){
-        scene_real(scene, "solver.density_error"), 1, most, 0.9};
+        scene_real(scene, "solver.density_error"), 1, most, 0.9, 0.9};
     if (choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         choice->flags |= PAIR_DRAG_ONLY;
 }

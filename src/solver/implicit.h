@@ -42,9 +42,10 @@ struct factor {
     float ratio;       /* rho / rho0 */
 };
 
-/* What the next step's solves start from. */
+/* What solves hand on. */
 struct warm {
-    float velocity; /* Pa */
+    float velocity; /* Pa, of the step's velocity solve */
+    float shift;    /* Pa s^2: as a displacement, it keeps its meaning when the step changes */
     float last;     /* Pa, of the sweep before, within a solve */
 };
 

@@ -46,6 +46,8 @@ const struct pass_row pass_table[PASS_COUNT] = {
                       POSITION | MOTION | LOAD | FACTOR, MOTION | FLUX | WARM},
     [PASS_KICK] = {PASS_KICK, PASS_EACH, "kick", "gravity and viscosity; pressure of the last step",
                    MOTION | WARM, MOTION | LOAD},
+    [PASS_RESUME] = {PASS_RESUME, PASS_EACH, "resume", "the last step's shift, to start from",
+                     WARM, MOTION | LOAD | WARM},
     [PASS_MOVE] = {PASS_MOVE, PASS_EACH, "move", "drift and shift, bounce; extremes",
                    POSITION | MOTION | FLUX | WARM, POSITION | MOTION},
 };

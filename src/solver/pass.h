@@ -27,6 +27,7 @@ enum pass_id {
     PASS_SOLVED,
     PASS_PROJECT,
     PASS_KICK,
+    PASS_RESUME,
     PASS_MOVE,
     PASS_COUNT
 };

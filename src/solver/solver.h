@@ -27,6 +27,7 @@ struct step_limits {
 struct solve_limits {
     double tolerance; /* mean positive compression */
     int least, most;  /* sweeps */
+    double resume;    /* part of the last step's pressure to start from */
     double momentum;  /* of sweep k: times (k - 1)/(k + 2) */
 };
 

@@ -197,6 +197,7 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_SWEEP: cpu_solve(b, step, PAIR_PASS_SWEEP); break;
     case PASS_PROJECT: cpu_solve(b, step, PAIR_PASS_PROJECT); break;
     case PASS_KICK: cpu_kick(b, step); break;
+    case PASS_RESUME: cpu_resume(b, step); break;
     case PASS_MOVE: cpu_move(b, step); break;
     case PASS_SOLVE_VELOCITY:
     case PASS_SOLVE_SHIFT:

@@ -36,9 +36,10 @@ void cpu_pressure(struct backend *b);
 void cpu_walls(struct backend *b);
 void cpu_pairs(struct backend *b, pair_function *pass);
 void cpu_kick(struct backend *b, struct step *step);
+void cpu_resume(struct backend *b, const struct step *step);
 void cpu_move(struct backend *b, struct step *step);
 
-/* Volumes, and the first pressures to start from. */
+/* Rest volumes of the particles. */
 void cpu_solve_start(struct backend *b);
 
 /* A pair pass of the implicit solver; a sweep sets step->residual. */

@@ -7,11 +7,8 @@
 void cpu_solve_start(struct backend *b)
 {
     struct particles *p = &b->particles;
-    struct warm *warm = p->now[FIELD_WARM];
-    for (size_t i = 0; i < p->count; i++) {
+    for (size_t i = 0; i < p->count; i++)
         particles_position(p)[i].volume = b->choice.implicit.volume[particles_fluid(p, i)];
-        warm[i].velocity = particles_motion(p)[i].pressure / b->choice.implicit.pressure;
-    }
 }
 
 /* Trial pressures of the blocks' sweeps; the sum of integers does not depend on its order. */
@@ -53,17 +50,33 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
 void cpu_kick(struct backend *b, struct step *step)
 {
     struct particles *p = &b->particles;
+    const struct motion *before = p->before[FIELD_MOTION];
     const struct rate *rate = p->now[FIELD_RATE];
     struct warm *warm = p->now[FIELD_WARM];
     struct position *load = p->now[FIELD_LOAD];
-    const float *gravity = b->choice.pair.gravity;
+    const float *gravity = b->choice.pair.gravity, one = 1 / b->choice.implicit.pressure;
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++) {
         struct motion *motion = &particles_motion(p)[i];
         const float *a = rate ? rate[i].acceleration : gravity;
         for (int d = 0; d < 3; d++)
             motion->velocity[d] += step->dt * a[d];
-        motion->pressure = warm[i].last = warm[i].velocity;
+        motion->pressure = warm[i].last = before[i].pressure * one;
+        load[i].volume = b->choice.implicit.volume[particles_fluid(p, i)] * motion->pressure;
+    }
+}
+
+void cpu_resume(struct backend *b, const struct step *step)
+{
+    struct particles *p = &b->particles;
+    struct warm *warm = p->now[FIELD_WARM];
+    struct position *load = p->now[FIELD_LOAD];
+    float part = step->resume / (step->dt * step->dt);
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < p->count; i++) {
+        struct motion *motion = &particles_motion(p)[i];
+        warm[i].velocity = motion->pressure;
+        motion->pressure = warm[i].last = part > 0 ? part * warm[i].shift : 0;
         load[i].volume = b->choice.implicit.volume[particles_fluid(p, i)] * motion->pressure;
     }
 }
@@ -74,7 +87,7 @@ void cpu_move(struct backend *b, struct step *step)
     struct particles *p = &b->particles;
     const struct position *x0 = p->before[FIELD_POSITION];
     const struct motion *v0 = p->before[FIELD_MOTION], *flux = p->now[FIELD_FLUX];
-    const struct warm *warm = p->now[FIELD_WARM];
+    struct warm *warm = p->now[FIELD_WARM];
     const struct factor *factor = p->now[FIELD_FACTOR];
     float limit = 0.25f * c->spacing * c->spacing; /* half a spacing */
     struct extremes all = extremes_none();
@@ -89,6 +102,7 @@ void cpu_move(struct backend *b, struct step *step)
             for (int d = 0; d < 3; d++)
                 shift[d] = one * flux[i].velocity[d] / factor[i].along[d];
             float move2 = implicit_move(c, step->dt, &x0[i], shift, &particles_position(p)[i], v);
+            warm[i].shift = v->pressure * (step->dt * step->dt);
             v->pressure = b->choice.implicit.pressure * warm[i].velocity;
             for (int d = 0; d < 3; d++) {
                 float a = (v->velocity[d] - v0[i].velocity[d]) / step->dt;

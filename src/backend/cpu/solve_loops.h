@@ -81,7 +81,7 @@ FORCE_INLINE void factor_blocks(const struct pair_work *w, size_t first_block, s
 }
 
 /* The trial velocity (or, in a shift, displacement / dt) of the particle at k; with `project` its
- * new velocity, and a shift of zero to start from. */
+ * new velocity. */
 FORCE_INLINE void push_store(const struct pair_work *w, size_t k, const float sum[3],
                               bool project)
 {
@@ -92,13 +92,10 @@ FORCE_INLINE void push_store(const struct pair_work *w, size_t k, const float su
     implicit_push(solve->each, solve->implicit, fluid, &solve->factor[k], motion->pressure, sum, a);
     for (int d = 0; d < 3; d++) {
         float v = (solve->solve == SOLVE_SHIFT ? 0 : motion->velocity[d]) + solve->dt * a[d];
-        flux->velocity[d] = project ? 0 : volume * solve->factor[k].along[d] * v;
-        motion->velocity[d] = project ? v : motion->velocity[d];
-    }
-    if (project) {
-        solve->warm[k].velocity = motion->pressure;
-        motion->pressure = 0;
-        solve->warm[k].last = 0;
+        if (project)
+            motion->velocity[d] = v;
+        else
+            flux->velocity[d] = volume * solve->factor[k].along[d] * v;
     }
 }
 
