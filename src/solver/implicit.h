@@ -87,6 +87,10 @@ static inline void implicit_factor(const struct explicit_constants *c,
         widest = f->along[a] > widest ? f->along[a] : widest;
     f->ratio = c->number_density * number + share;
     *density = rest * f->ratio;
+    /* Dense by walls alone, as a drop in an edge of the tank, is loose: it must be able to fall off. */
+    float others = c->number_density * (number - m->volume[fluid]), loose = 0.99f * (1 - m->slack);
+    if (others < 0.15f && f->ratio > loose)
+        f->ratio = loose;
     float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) *
                                      (widest * widest) * squares;
     bool weak = !(diagonal * rest * c->h * c->h > 1e-5f);
