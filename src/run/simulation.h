@@ -8,7 +8,7 @@
 struct solve_stats {
     long sweeps, unsolved; /* in all; solves that ended by their limit */
     int most;              /* sweeps of one solve */
-    double residual;       /* mean compression that the last one left */
+    double residual;       /* that the last one left */
 };
 
 struct simulation {
@@ -23,7 +23,7 @@ struct simulation {
     struct {
         long steps, rejected, sorts;
         double dt_min, dt_max, dt_sum; /* s */
-        struct solve_stats solves[2];  /* by enum solve */
+        struct solve_stats solves[SOLVE_COUNT];  /* by enum solve */
     } stats;
 };
 
