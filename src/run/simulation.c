@@ -203,7 +203,8 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .isa = options->isa ? options->isa : "auto",
         .threads = options->threads,
     };
-    *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY};
+    *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY,
+                             .relax = {1, 1, 1}};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
         solver_start(&plan->choice, &particles, e) ||

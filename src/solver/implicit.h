@@ -118,34 +118,50 @@ static inline bool implicit_holds(const struct implicit_constants *m, enum solve
     return solve == SOLVE_VELOCITY && ratio >= 1 - m->slack;
 }
 
-/* The compression before the step, as a solve counts it. */
-static inline float implicit_base(const struct implicit_constants *m, enum solve solve, float ratio)
+/* The compression before the step, as a solve counts it. The target ratio is 1; where no fluid is
+ * loose it is the mean, since disorder alone raises summed density and there is nowhere to go. */
+static inline float implicit_base(const struct implicit_constants *m, enum solve solve, float ratio,
+                                  float target)
 {
-    float base = ratio - 1;
+    float base = ratio - (solve == SOLVE_VELOCITY ? target : 1);
     if (solve == SOLVE_VELOCITY)
         return implicit_holds(m, solve, ratio) ? m->restore * base : base + m->slack;
     return base < m->most ? base : m->most;
 }
 
 /* One relaxation of P; `flux` is V (v + dt a), sum = sum flux_j . slope x. Returns |C|, or max(0, C)
- * where expansion is free. */
+ * where expansion is free; C counts from `offset`, which only fluid without a surface has: its mean
+ * compression cannot change. */
 static inline float implicit_sweep(const struct implicit_constants *m, int fluid, float dt,
-                                   float base, const struct factor *f, const float flux[3],
-                                   float sum, bool holds, float momentum,
+                                   float base, float offset, float *raw, const struct factor *f, const float flux[3],
+                                   float sum, bool holds, float relax, float momentum,
                                    float *last, float *pressure)
 {
     float dot = 0;
     for (int a = 0; a < 3; a++)
         dot += flux[a] * f->gradient[a];
     float divergence = dot / m->volume[fluid] - m->gradient * implicit_settled(sum);
-    float excess = base + dt * divergence;
-    float next = *pressure + m->omega * f->inverse / (dt * dt) * excess;
+    float excess = base + dt * divergence - offset;
+    *raw = base + dt * divergence;
+    float next = *pressure + relax * m->omega * f->inverse / (dt * dt) * excess;
     next = next > 0 || holds ? next : 0;
     float ahead = next + momentum * (next - *last);
     *last = next;
     *pressure = ahead > 0 || holds ? ahead : 0;
     float error = holds ? fabsf(excess) : excess;
     return error > 0 && f->inverse > 0 ? error : 0;
+}
+
+/* A shift, as a velocity, of at most a tenth of a spacing: what is left is taken back in later steps. */
+static inline void implicit_bound(const struct explicit_constants *c, float dt, float shift[3])
+{
+    float most = 0.1f * c->spacing / dt;
+    float size2 = shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2];
+    if (!(size2 > most * most))
+        return;
+    float part = most / sqrtf(size2);
+    for (int a = 0; a < 3; a++)
+        shift[a] = isfinite(part) ? part * shift[a] : 0;
 }
 
 /* Moves a particle by (v + shift) dt, off closed planes; returns the square of the distance, m^2 (INFINITY

@@ -39,7 +39,8 @@ static enum status allocate(struct backend *b, struct error *e)
         ok = ok && (!w || b->wall_axis[a]);
     }
     if (b->choice.is_implicit) {
-        b->residual = memory_create("residuals", n / PARTICLE_BLOCK + 1, sizeof(int64_t), e);
+        b->residual = memory_create("residuals", 2 * (n / PARTICLE_BLOCK + 1),
+                                    sizeof(int64_t), e);
         ok = ok && b->residual;
     } else if (!b->choice.continuity) {
         b->number = memory_create("kernel sums", padded, sizeof(float), e);

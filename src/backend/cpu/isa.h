@@ -44,14 +44,16 @@ struct solve_work {
     const struct implicit_constants *implicit;
     enum solve solve;
     float dt;                   /* s */
+    float relax;                /* times the solver's relaxation */
     float momentum;             /* of the sweeps */
+    float target, offset;       /* density ratio, and compression that sweeps count from */
     struct position *load;
     struct motion *flux, *motion;
     struct factor *factor;
     struct warm *warm;
     struct drag *search, *remainder, *product;
     float *density;
-    int64_t *residual;          /* of each block, in 2^-40 */
+    int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
 
 /* What a pair pass reads and writes; arrays are those of struct particles. */
