@@ -17,6 +17,8 @@ static double implicit_step(const struct simulation *s, double speed)
     const struct solver_choice *c = &s->plan->choice;
     const double *g = s->plan->scene->gravity;
     double most = c->cfl * 0.4 * c->spacing;
+    if (c->implicit_viscosity) /* a wall can drag fluid along in one step */
+        speed = fmax(speed, c->wall_speed);
     double force = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     double reached = (sqrt(speed * speed + 4 * force * most) - speed) / 2; /* dt g */
     double dt = fmin(c->limits.user, c->limits.viscous);
@@ -88,7 +90,8 @@ static enum status give_up(struct simulation *s, double dt, int halvings, uint32
         i++;
     const struct position *x = &particles_position(p)[i];
     const float *v = particles_motion(p)[i].velocity;
-    const float *a = particles_rate(p)[i].acceleration;
+    const struct rate *rate = particles_rate(p);
+    const float *a = rate ? rate[i].acceleration : s->plan->choice.pair.gravity;
     double speed = sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
     double force = sqrt((double)a[0] * a[0] + (double)a[1] * a[1] + (double)a[2] * a[2]);
     double c0 = s->plan->choice.sound_speed;
@@ -201,7 +204,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .threads = options->threads,
     };
     *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY,
-                             .relax = {1, 1}};
+                             .relax = {1, 1, 1}};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
         solver_start(&plan->choice, &particles, e) ||

@@ -21,11 +21,12 @@ static bool sweep_again(struct simulation *s, const struct step *step, int sweep
     stats->sweeps++;
     stats->most = sweeps > stats->most ? sweeps : stats->most;
     stats->residual = step->residual;
-    if (sweeps >= limit->most && !solved)
+    bool ended = sweeps >= limit->most || !isfinite(step->residual);
+    if (ended && !solved)
         stats->unsolved++;
     if (step->enclosed && step->solve == SOLVE_SHIFT)
         return sweeps < ENCLOSED_SWEEPS;
-    return sweeps < limit->least || (sweeps < limit->most && !solved);
+    return sweeps < limit->least || (!ended && !solved);
 }
 
 /* Runs passes k.. of the plan up to the next one of kind `end`, once. */
@@ -38,6 +39,13 @@ static enum status run_passes(struct simulation *s, size_t first, size_t last, s
     return STATUS_OK;
 }
 
+static enum solve solve_of(enum pass_id loop)
+{
+    return loop == PASS_SOLVE_SHIFT       ? SOLVE_SHIFT
+           : loop == PASS_SOLVE_VISCOSITY ? SOLVE_VISCOSITY
+                                          : SOLVE_VELOCITY;
+}
+
 /* Repeats the loop that begins at pass `loop`; sets *end to its last. */
 static enum status run_loop(struct simulation *s, size_t loop, size_t *end, struct step *step,
                             struct error *e)
@@ -46,7 +54,7 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
     *end = loop + 1;
     while (plan->passes[*end]->kind != PASS_END)
         ++*end;
-    step->solve = plan->passes[loop]->id == PASS_SOLVE_SHIFT ? SOLVE_SHIFT : SOLVE_VELOCITY;
+    step->solve = solve_of(plan->passes[loop]->id);
     const struct solve_limits *limit = &plan->choice.solves[step->solve];
     double *relax = &s->relax[step->solve], best = INFINITY;
     step->offset = 0;

@@ -19,10 +19,10 @@
 #ifndef SOLVER_IMPLICIT_H
 #define SOLVER_IMPLICIT_H
 
-#include "solver/explicit.h"
+#include "solver/drag.h"
 
-/* Which of the two solves a sweep belongs to. */
-enum solve { SOLVE_VELOCITY, SOLVE_SHIFT };
+/* Which solve a sweep belongs to; that of viscosity is another kind (solver/drag.h). */
+enum solve { SOLVE_VELOCITY, SOLVE_SHIFT, SOLVE_VISCOSITY, SOLVE_COUNT };
 
 struct implicit_constants {
     float volume[FLUIDS_MAX]; /* V = m / rho0, in d^3 */

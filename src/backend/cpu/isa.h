@@ -51,6 +51,7 @@ struct solve_work {
     struct motion *flux, *motion;
     struct factor *factor;
     struct warm *warm;
+    struct drag *search, *remainder, *product;
     float *density;
     int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
@@ -84,7 +85,9 @@ enum pair_pass {
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */
-    PAIR_PASS_SWEEP
+    PAIR_PASS_SWEEP,
+    PAIR_PASS_DRAG_DIAGONAL, /* writes solve->product */
+    PAIR_PASS_DRAG
 };
 
 struct isa_row {

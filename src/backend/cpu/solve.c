@@ -61,6 +61,9 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
         .motion = particles_motion(p),
         .factor = p->now[FIELD_FACTOR],
         .warm = p->now[FIELD_WARM],
+        .search = p->now[FIELD_SEARCH],
+        .remainder = p->now[FIELD_REMAINDER],
+        .product = p->now[FIELD_FLUX],
         .density = particles_density(p),
         .residual = b->residual,
     };
