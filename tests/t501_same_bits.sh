@@ -62,7 +62,8 @@ compare() {
     done
 }
 
-compare "dam break" scenes/dambreak.json --set particles.spacing=0.05 --end 0.8 --fps 15
+compare "dam break" scenes/dambreak.json --set particles.spacing=0.035 --end 1.6 --fps 15
+compare "explicit dam break" tests/scenes/dam.json
 compare "two fluids" tests/scenes/two-fluids.json
 compare "wall particles" tests/scenes/wall-particles.json
 compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.8 --fps 30
