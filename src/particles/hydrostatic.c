@@ -56,7 +56,7 @@ static bool face_held(const struct hydrostatic *h, size_t body, int face)
         at = face & 1 ? low[a] : high[a];
     }
     double open = wide * deep - covered_area(h, body, face, at);
-    return open <= 0.5 * h->scene->particles.spacing * (wide + deep);
+    return open <= fmin(0.5 * h->scene->particles.spacing * (wide + deep), 0.5 * wide * deep);
 }
 
 static bool held(const struct hydrostatic *h, size_t body)

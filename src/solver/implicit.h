@@ -148,10 +148,10 @@ static inline float implicit_sweep(const struct implicit_constants *m, int fluid
     float excess = base + dt * divergence - offset;
     *raw = base + dt * divergence;
     float next = *pressure + relax * m->omega * f->inverse / (dt * dt) * excess;
-    next = next > 0 || holds ? next : 0;
+    next = f->inverse > 0 && (next > 0 || holds) ? next : 0;
     float ahead = next + momentum * (next - *last);
     *last = next;
-    *pressure = ahead > 0 || holds ? ahead : 0;
+    *pressure = f->inverse > 0 && (ahead > 0 || holds) ? ahead : 0;
     float error = holds ? fabsf(excess) : excess;
     return error > 0 && f->inverse > 0 ? error : 0;
 }
