@@ -90,7 +90,9 @@ static inline void implicit_factor(const struct explicit_constants *c,
     float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) *
                                      (widest * widest) * squares;
     bool weak = !(diagonal * rest * c->h * c->h > 1e-5f);
-    f->inverse = weak ? 0 : 1 / (diagonal * widest);
+    /* Crowded particles have more neighbours than the lattice, whose window omega is. */
+    float crowd = f->ratio > 1.1f ? f->ratio : 1;
+    f->inverse = weak ? 0 : 1 / (diagonal * widest * crowd);
 }
 
 /* A sum of rounding errors only; kept, its products would be denormal, and slow. */
@@ -148,15 +150,25 @@ static inline float implicit_sweep(const struct implicit_constants *m, int fluid
     return error > 0 && f->inverse > 0 ? error : 0;
 }
 
+/* Overlaps part by a fifth of a spacing a step at most, whatever the shift's solve asks for: it does
+ * not get less with a shorter step. */
+static inline float implicit_gentle(const struct explicit_constants *c, float dt,
+                                    const float shift[3])
+{
+    float most = 0.2f * c->spacing / dt;
+    float s2 = shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2];
+    return s2 > most * most ? most / sqrtf(s2) : 1;
+}
+
 /* Moves a particle by (v + shift) dt, off closed planes; returns the square of the distance, m^2 (INFINITY
  * when runaway). */
 static inline float implicit_move(const struct explicit_constants *c, float dt,
                                   const struct position *x0, const float shift[3],
                                   struct position *x, struct motion *v)
 {
-    float move2 = 0;
+    float move2 = 0, gentle = implicit_gentle(c, dt, shift);
     for (int a = 0; a < 3; a++) {
-        float speed = explicit_rest(c, v->velocity[a]), move = (speed + shift[a]) * dt;
+        float speed = explicit_rest(c, v->velocity[a]), move = (speed + gentle * shift[a]) * dt;
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing))
             return INFINITY;
