@@ -107,7 +107,7 @@ static void no_gravity(void **state)
                          "\"velocity\": [0.1, 0, 0]}"
                        : "{\"shape\": \"box\", \"min\": [0.1, 0.1, 0.05], \"max\": [0.3, 0.3, 0.25]}");
             assert_true(extreme_run(&w, 1, 5, &most));
-            print_message("# %s: speed %.6f of %.1f m/s, %ld steps\n", methods[k], most.speed,
+            print_message("# %s: speed %.6e of %.1f m/s, %ld steps\n", methods[k], most.speed,
                           0.1 * flies, w.simulation.stats.steps);
             assert_true(fabs(most.speed - 0.1 * flies) < 0.01 * flies + 1e-9);
             world_close(&w);
