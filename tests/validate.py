@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs the validation scenes with measured quantities and prints errors against exact solutions.
 
-Usage: tests/validate.py [CASE...]; SPH is the program, default build/sph-render. Cases whose
-quantities the program cannot write are reported as skipped.
+Usage: tests/validate.py [CASE...]; SPH is the program, default build/sph-render. Each case runs with
+each solver of SOLVERS (default "dfsph wcsph"). What cannot be measured is reported as skipped.
 """
 import collections
 import csv
@@ -40,10 +40,12 @@ def column(columns, *words):
     raise Missing(" ".join(words))
 
 
-def measured(program, case, folder):
+def measured(program, case, solver, folder):
     """Runs a scene with what the case measures; columns by name, or None when it cannot be."""
     scene = json.loads(scene_path(case.scene).read_text())
     scene["measure"] = case.measure
+    if scene["solver"]["method"] != solver:
+        scene["solver"] = {"method": solver}
     scene["time"]["measure"] = scene["time"]["end"] / 200
     source, table = folder / (case.scene + ".json"), folder / (case.scene + ".csv")
     source.write_text(json.dumps(scene))
@@ -135,13 +137,15 @@ def main(names):
         for case in CASES:
             if names and case.scene not in names:
                 continue
-            try:
-                errors = case.compare(measured(program, case, pathlib.Path(folder)))
-            except Missing as missing:
-                print(f"{case.scene:24} skipped: {missing}")
-                continue
-            done += 1
-            print(f"{case.scene:24} " + ", ".join(f"{k} {v:+.3g}" for k, v in errors.items()))
+            for solver in os.environ.get("SOLVERS", "dfsph wcsph").split():
+                name = f"{case.scene:24} {solver:6}"
+                try:
+                    errors = case.compare(measured(program, case, solver, pathlib.Path(folder)))
+                except Missing as missing:
+                    print(name, "skipped:", missing, flush=True)
+                    continue
+                done += 1
+                print(name, ", ".join(f"{k} {v:+.3g}" for k, v in errors.items()), flush=True)
     print(f"{done} cases measured")
 
 

@@ -25,10 +25,14 @@ struct step {
     float dt;          /* s, for predict and correct */
     double list_radius;/* m, for sort and neighbours */
     struct extremes extremes; /* of the last predict, correct or move pass */
-    enum solve solve;         /* which of the implicit solver's two */
+    enum solve solve;         /* which solve the loop belongs to */
+    float relax;              /* times the solver's relaxation */
     float momentum;           /* of its sweeps */
+    bool enclosed;            /* no fluid is loose: its mean density cannot change */
+    float target;             /* density ratio to aim at */
+    float offset;             /* mean compression of the last sweep, where enclosed */
     float resume;             /* part of the last step's shift that the next starts from */
-    double residual;          /* mean compression left by the last sweep */
+    double residual;          /* left by the last sweep, as solve_limits count it */
 };
 
 /* Work done so far. */

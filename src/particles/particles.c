@@ -17,6 +17,8 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_FLUX] = {"flux", "volume times trial velocity", sizeof(struct motion), 0},
     [FIELD_FACTOR] = {"factor", "kernel gradient sum, diagonal, walls, density", 8 * sizeof(float), 0},
     [FIELD_WARM] = {"warm", "pressures that solves hand on", 3 * sizeof(float), 1},
+    [FIELD_SEARCH] = {"search", "search direction, viscosity", 4 * sizeof(float), 0},
+    [FIELD_REMAINDER] = {"remainder", "residual of viscosity, drag of planes", 4 * sizeof(float), 0},
 };
 
 enum status particles_create(struct particles *particles, size_t count, unsigned fields,

@@ -30,9 +30,12 @@ enum field {
     FIELD_FLUID,     /* uint8_t, index into the scene's fluids; absent with one fluid */
     FIELD_VISCOSITY, /* float, Pa s; absent unless fluids differ in it */
     FIELD_LOAD,      /* struct position with volume = V P / d^3 (Pa), of the implicit solver */
-    FIELD_FLUX,      /* struct motion with velocity = V (v + dt a) / d^3 (m/s) */
+    FIELD_FLUX,      /* struct motion with velocity = V (v + dt a) / d^3 (m/s);
+                        before that struct drag: product of implicit viscosity */
     FIELD_FACTOR,    /* struct factor (solver/implicit.h) */
     FIELD_WARM,      /* struct warm (solver/implicit.h) */
+    FIELD_SEARCH,    /* struct drag (solver/drag.h): search direction of implicit viscosity */
+    FIELD_REMAINDER, /* struct drag: its residual */
     FIELD_COUNT
 };
 

@@ -19,6 +19,8 @@ static void implicit_limits(const struct simulation *s, double speed, double lim
     const struct solver_choice *c = &s->plan->choice;
     const double *g = s->plan->scene->gravity;
     double most = c->cfl * 0.4 * c->spacing;
+    if (c->implicit_viscosity) /* a wall can drag fluid along in one step */
+        speed = fmax(speed, c->wall_speed);
     double force = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     double reached = (sqrt(speed * speed + 4 * force * most) - speed) / 2; /* dt g */
     if (speed + reached > 0)

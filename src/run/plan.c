@@ -19,7 +19,8 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
 {
     const struct solver_choice *c = &plan->choice;
     bool viscous = c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY);
-    bool drags = !c->is_implicit || (viscous && c->each.no_slip);
+    bool applied = viscous && !c->implicit_viscosity; /* by the passes of explicit solvers */
+    bool drags = !c->is_implicit || (applied && c->each.no_slip);
     switch (id) {
     case PASS_DENSITY:
         if (c->continuity)
@@ -30,35 +31,51 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
             omit(plan, "pass pressure: predict evaluates the equation of state");
         return !c->continuity;
     case PASS_FORCE:
-        if (c->is_implicit && !viscous)
-            omit(plan, "pass force: no viscosity, and pressure is solved for");
-        return !c->is_implicit || viscous;
+        if (c->is_implicit && !applied)
+            omit(plan, viscous ? "pass force: viscosity and pressure are solved for"
+                               : "pass force: no viscosity, and pressure is solved for");
+        return !c->is_implicit || applied;
     case PASS_WALLS:
         if (!c->wall_planes)
             omit(plan, "pass walls: no closed face");
         else if (!drags)
-            omit(plan, "pass walls: they do not drag, and push by the pressure solve");
+            omit(plan, c->implicit_viscosity
+                           ? "pass walls: they drag and push by the solves"
+                           : "pass walls: they do not drag, and push by the pressure solve");
         return c->wall_planes && drags;
+    case PASS_DRAG_BEGIN:
+        if (viscous && !c->implicit_viscosity)
+            omit(plan, "passes of implicit viscosity: it is explicit");
+        return c->implicit_viscosity;
+    case PASS_DRAG_DIAGONAL:
+    case PASS_DRAG_RESIDUAL:
+    case PASS_SOLVE_VISCOSITY:
+        return c->implicit_viscosity;
     default:
         return true;
     }
 }
 
+/* A loop that is not wanted is left out to its end. */
 static void plan_passes(struct plan *plan)
 {
+    bool skip = false;
     for (size_t k = 0; k < plan->solver->pass_count; k++) {
-        enum pass_id id = plan->solver->passes[k];
-        if (pass_wanted(plan, id))
-            plan->passes[plan->pass_count++] = &pass_table[id];
+        const struct pass_row *pass = &pass_table[plan->solver->passes[k]];
+        bool wanted = !skip && pass_wanted(plan, pass->id);
+        skip = skip ? pass->kind != PASS_END : pass->kind == PASS_LOOP && !wanted;
+        if (wanted)
+            plan->passes[plan->pass_count++] = pass;
     }
 }
 
-/* Fields that passes and drawing touch; the others are never allocated. */
+/* Fields that passes and drawing touch; the others are never allocated. Sorting moves what there is. */
 static void plan_fields(struct plan *plan)
 {
     unsigned fields = 0;
     for (size_t k = 0; k < plan->pass_count; k++)
-        fields |= plan->passes[k]->reads | plan->passes[k]->writes;
+        fields |= plan->passes[k]->reads |
+                  (plan->passes[k]->kind == PASS_ORDER ? 0 : plan->passes[k]->writes);
     if (plan->color)
         fields |= plan->color->reads;
     fields |= plan->measures.reads;
@@ -66,7 +83,9 @@ static void plan_fields(struct plan *plan)
         fields |= FIELD_BIT(FIELD_FLUID);
     else
         omit(plan, "field fluid: one fluid");
-    if (plan->choice.flags & PAIR_OWN_VISCOSITY)
+    if (plan->choice.implicit_viscosity)
+        omit(plan, "field viscosity: search holds it");
+    else if (plan->choice.flags & PAIR_OWN_VISCOSITY)
         fields |= FIELD_BIT(FIELD_VISCOSITY);
     else
         omit(plan, "field viscosity: all fluids have the same");

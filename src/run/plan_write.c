@@ -20,6 +20,20 @@ static void write_fields(unsigned mask, FILE *out)
         }
 }
 
+/* How an implicit solver treats viscosity, and why. */
+static void write_viscosity(const struct solver_choice *c, FILE *out)
+{
+    bool below = c->viscous_step < c->other_step;
+    fprintf(out, "viscosity      %s: explicit steps could be %.4g s, %s the %.4g s of other limits%s",
+            c->implicit_viscosity ? "implicit" : "explicit", c->viscous_step,
+            below ? "below" : "not below", c->other_step,
+            below == c->implicit_viscosity ? "" : ", but the scene says so");
+    if (c->implicit_viscosity)
+        fprintf(out, "; to a residual of %g, at most %d iterations",
+                c->solves[SOLVE_VISCOSITY].tolerance, c->solves[SOLVE_VISCOSITY].most);
+    fputs("\n", out);
+}
+
 static void write_solves(const struct solver_choice *c, FILE *out)
 {
     fprintf(out, "pressure       solved for; velocity to a mean compression of %g a step, shift to %g, at "
@@ -28,6 +42,8 @@ static void write_solves(const struct solver_choice *c, FILE *out)
             c->solves[SOLVE_SHIFT].most);
     fprintf(out, "relaxation     %.3f (%.2g of the Jacobi window of this kernel and support)\n",
             c->implicit.omega, DFSPH_WINDOW_PART);
+    if (c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
+        write_viscosity(c, out);
     fprintf(out, "time step      %.3g d / fastest", c->cfl * 0.4);
     if (isfinite(c->limits.viscous))
         fprintf(out, ", viscous %.4g s", c->limits.viscous);

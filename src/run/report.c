@@ -57,10 +57,12 @@ static void write_phases(FILE *f, const struct report *r, const struct backend_c
 
 static void write_solves(FILE *f, const struct simulation *s)
 {
-    static const char *const names[] = {[SOLVE_VELOCITY] = "velocity", [SOLVE_SHIFT] = "shift"};
+    static const char *const names[] = {[SOLVE_VELOCITY] = "velocity", [SOLVE_SHIFT] = "shift",
+                                        [SOLVE_VISCOSITY] = "viscosity"};
     double tries = (double)(s->stats.steps + s->stats.rejected);
     fputs("  \"solves\": {", f);
-    for (int k = 0; k < 2; k++) {
+    int count = s->plan->choice.implicit_viscosity ? SOLVE_COUNT : SOLVE_VISCOSITY;
+    for (int k = 0; k < count; k++) {
         const struct solve_stats *solve = &s->stats.solves[k];
         fprintf(f, "%s\"%s\": {\"sweeps\": %ld, \"mean\": %.3f, \"most\": %d, \"unsolved\": %ld, "
                    "\"residual\": %.4g}",

@@ -144,7 +144,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .threads = options->threads,
     };
     *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY,
-                             .strict = options->strict};
+                             .relax = {1, 1, 1}, .strict = options->strict};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
         solver_start(&plan->choice, &particles, e) ||

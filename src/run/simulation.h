@@ -8,7 +8,7 @@
 struct solve_stats {
     long sweeps, unsolved; /* in all; solves that ended by their limit */
     int most;              /* sweeps of one solve */
-    double residual;       /* mean compression that the last one left */
+    double residual;       /* that the last one left */
 };
 
 struct simulation {
@@ -20,11 +20,12 @@ struct simulation {
     double least_dt;          /* a rejected step below this ends the run, s */
     struct extremes extremes; /* of the present state */
     bool strict;              /* a step shorter than the scene's is an error */
+    double relax[SOLVE_COUNT];          /* of the sweeps of each solve, besides the solver's relaxation */
     double moved, allowance;  /* m since the last sort, and at most */
     struct {
         long steps, rejected, sorts;
         double dt_min, dt_max, dt_sum; /* s */
-        struct solve_stats solves[2];  /* by enum solve */
+        struct solve_stats solves[SOLVE_COUNT];  /* by enum solve */
     } stats;
 };
 

@@ -3,6 +3,10 @@
 
 #include <math.h>
 
+enum { ENCLOSED_SWEEPS = 3 }; /* of a shift that evens out, but cannot lower, the density */
+
+#define RELAX_GROWTH 1.02 /* a solve, after sweeps had to be relaxed more */
+
 enum status step_pass(struct simulation *s, enum pass_id pass, struct step *step, struct error *e)
 {
     return s->row->run(s->backend, pass, step, e);
@@ -17,9 +21,12 @@ static bool sweep_again(struct simulation *s, const struct step *step, int sweep
     stats->sweeps++;
     stats->most = sweeps > stats->most ? sweeps : stats->most;
     stats->residual = step->residual;
-    if (sweeps >= limit->most && !solved)
+    bool ended = sweeps >= limit->most || !isfinite(step->residual);
+    if (ended && !solved)
         stats->unsolved++;
-    return sweeps < limit->least || (sweeps < limit->most && !solved);
+    if (step->enclosed && step->solve == SOLVE_SHIFT)
+        return sweeps < ENCLOSED_SWEEPS;
+    return sweeps < limit->least || (!ended && !solved);
 }
 
 /* Runs passes k.. of the plan up to the next one of kind `end`, once. */
@@ -32,6 +39,13 @@ static enum status run_passes(struct simulation *s, size_t first, size_t last, s
     return STATUS_OK;
 }
 
+static enum solve solve_of(enum pass_id loop)
+{
+    return loop == PASS_SOLVE_SHIFT       ? SOLVE_SHIFT
+           : loop == PASS_SOLVE_VISCOSITY ? SOLVE_VISCOSITY
+                                          : SOLVE_VELOCITY;
+}
+
 /* Repeats the loop that begins at pass `loop`; sets *end to its last. */
 static enum status run_loop(struct simulation *s, size_t loop, size_t *end, struct step *step,
                             struct error *e)
@@ -40,14 +54,24 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
     *end = loop + 1;
     while (plan->passes[*end]->kind != PASS_END)
         ++*end;
-    step->solve = plan->passes[loop]->id == PASS_SOLVE_SHIFT ? SOLVE_SHIFT : SOLVE_VELOCITY;
+    step->solve = solve_of(plan->passes[loop]->id);
     const struct solve_limits *limit = &plan->choice.solves[step->solve];
-    for (int sweeps = 1;; sweeps++) { /* momentum as Nesterov 1983, bounded for the active set's sake */
-        step->momentum = (float)(limit->momentum * (sweeps - 1) / (sweeps + 2));
+    double *relax = &s->relax[step->solve], best = INFINITY;
+    step->offset = 0;
+    *relax = fmin(1, RELAX_GROWTH * *relax);
+    for (int sweeps = 1, since = 1;; sweeps++, since++) {
+        step->relax = (float)*relax;
+        step->momentum = (float)(limit->momentum * (since - 1) / (since + 2)); /* Nesterov 1983 */
         if (run_passes(s, loop + 1, *end, step, e))
             return e->status;
         if (!sweep_again(s, step, sweeps))
             return STATUS_OK;
+        best = fmin(best, step->residual);
+        if (!(step->residual <= 1.5 * best)) { /* disorder narrows the window of the lattice */
+            *relax *= 0.6;
+            best = step->residual;
+            since = 0;
+        }
     }
 }
 

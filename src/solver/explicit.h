@@ -176,6 +176,15 @@ static inline bool explicit_open(const struct explicit_constants *c, const struc
     return near;
 }
 
+/* Drag of a plane at q with no_slip, 1/s, where `part` of it counts. */
+static inline float explicit_drag(const struct explicit_constants *c, int fluid, float q,
+                                  float part, float density)
+{
+    float near = 0.5f * c->spacing / c->h, lever = 1 / (q > near ? q : near);
+    float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
+    return 2 * c->viscosity[fluid] / (density * c->h * c->h) * part * drag;
+}
+
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
  * pressure (never sucks) and, where that pushes, continues it hydrostatically (Adami et al. 2012), or
  * fluid along a wall would sink; its velocity continues the particle's linearly through that of the
@@ -211,8 +220,7 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         }
         if (!c->no_slip || c->viscosity[fluid] == 0)
             continue;
-        float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
-        float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * part * drag;
+        float scale = explicit_drag(c, fluid, q, part, density);
         for (int a = 0; a < 3; a++)
             rate->acceleration[a] -= scale * (v->velocity[a] - c->wall_velocity[face][a]);
     }

@@ -19,10 +19,10 @@
 #ifndef SOLVER_IMPLICIT_H
 #define SOLVER_IMPLICIT_H
 
-#include "solver/explicit.h"
+#include "solver/drag.h"
 
-/* Which of the two solves a sweep belongs to. */
-enum solve { SOLVE_VELOCITY, SOLVE_SHIFT };
+/* Which solve a sweep belongs to; that of viscosity is another kind (solver/drag.h). */
+enum solve { SOLVE_VELOCITY, SOLVE_SHIFT, SOLVE_VISCOSITY, SOLVE_COUNT };
 
 struct implicit_constants {
     float volume[FLUIDS_MAX]; /* V = m / rho0, in d^3 */
@@ -87,6 +87,10 @@ static inline void implicit_factor(const struct explicit_constants *c,
         widest = f->along[a] > widest ? f->along[a] : widest;
     f->ratio = c->number_density * number + share;
     *density = rest * f->ratio;
+    /* Dense by walls alone, as a drop in an edge of the tank, is loose: it must be able to fall off. */
+    float others = c->number_density * (number - m->volume[fluid]), loose = 0.99f * (1 - m->slack);
+    if (others < 0.15f && f->ratio > loose)
+        f->ratio = loose;
     float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) *
                                      (widest * widest) * squares;
     bool weak = !(diagonal * rest * c->h * c->h > 1e-5f);
@@ -120,28 +124,32 @@ static inline bool implicit_holds(const struct implicit_constants *m, enum solve
     return solve == SOLVE_VELOCITY && ratio >= 1 - m->slack;
 }
 
-/* The compression before the step, as a solve counts it. */
-static inline float implicit_base(const struct implicit_constants *m, enum solve solve, float ratio)
+/* The compression before the step, as a solve counts it. The target ratio is 1; where no fluid is
+ * loose it is the mean, since disorder alone raises summed density and there is nowhere to go. */
+static inline float implicit_base(const struct implicit_constants *m, enum solve solve, float ratio,
+                                  float target)
 {
-    float base = ratio - 1;
+    float base = ratio - (solve == SOLVE_VELOCITY ? target : 1);
     if (solve == SOLVE_VELOCITY)
         return implicit_holds(m, solve, ratio) ? m->restore * base : base + m->slack;
     return base < m->most ? base : m->most;
 }
 
 /* One relaxation of P; `flux` is V (v + dt a), sum = sum flux_j . slope x. Returns |C|, or max(0, C)
- * where expansion is free. */
+ * where expansion is free; C counts from `offset`, which only fluid without a surface has: its mean
+ * compression cannot change. */
 static inline float implicit_sweep(const struct implicit_constants *m, int fluid, float dt,
-                                   float base, const struct factor *f, const float flux[3],
-                                   float sum, bool holds, float momentum,
+                                   float base, float offset, float *raw, const struct factor *f, const float flux[3],
+                                   float sum, bool holds, float relax, float momentum,
                                    float *last, float *pressure)
 {
     float dot = 0;
     for (int a = 0; a < 3; a++)
         dot += flux[a] * f->gradient[a];
     float divergence = dot / m->volume[fluid] - m->gradient * implicit_settled(sum);
-    float excess = base + dt * divergence;
-    float next = *pressure + m->omega * f->inverse / (dt * dt) * excess;
+    float excess = base + dt * divergence - offset;
+    *raw = base + dt * divergence;
+    float next = *pressure + relax * m->omega * f->inverse / (dt * dt) * excess;
     next = next > 0 || holds ? next : 0;
     float ahead = next + momentum * (next - *last);
     *last = next;
@@ -150,14 +158,16 @@ static inline float implicit_sweep(const struct implicit_constants *m, int fluid
     return error > 0 && f->inverse > 0 ? error : 0;
 }
 
-/* Overlaps part by a fifth of a spacing a step at most, whatever the shift's solve asks for: it does
- * not get less with a shorter step. */
-static inline float implicit_gentle(const struct explicit_constants *c, float dt,
-                                    const float shift[3])
+/* A shift, as a velocity, of at most a tenth of a spacing: what is left is taken back in later steps. */
+static inline void implicit_bound(const struct explicit_constants *c, float dt, float shift[3])
 {
-    float most = 0.2f * c->spacing / dt;
-    float s2 = shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2];
-    return s2 > most * most ? most / sqrtf(s2) : 1;
+    float most = 0.1f * c->spacing / dt;
+    float size2 = shift[0] * shift[0] + shift[1] * shift[1] + shift[2] * shift[2];
+    if (!(size2 > most * most))
+        return;
+    float part = most / sqrtf(size2);
+    for (int a = 0; a < 3; a++)
+        shift[a] = isfinite(part) ? part * shift[a] : 0;
 }
 
 /* Moves a particle by (v + shift) dt, off closed planes; returns the square of the distance, m^2 (INFINITY
@@ -166,9 +176,9 @@ static inline float implicit_move(const struct explicit_constants *c, float dt,
                                   const struct position *x0, const float shift[3],
                                   struct position *x, struct motion *v)
 {
-    float move2 = 0, gentle = implicit_gentle(c, dt, shift);
+    float move2 = 0;
     for (int a = 0; a < 3; a++) {
-        float speed = explicit_rest(c, v->velocity[a]), move = (speed + gentle * shift[a]) * dt;
+        float speed = explicit_rest(c, v->velocity[a]), move = (speed + shift[a]) * dt;
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing))
             return INFINITY;

@@ -152,4 +152,20 @@ static inline __attribute__((always_inline)) void pair_sweep(real *sum, const st
     *sum = real_fma(pair_slope(p, flags), dot, *sum);
 }
 
+/* Sums of implicit viscosity: V_j (mu_i + mu_j) W'/r times u_ij, and alone for the diagonal. */
+struct pair_drags {
+    real x, y, z, weight;
+};
+
+static inline __attribute__((always_inline)) void pair_drag(struct pair_drags *s, const struct pair *p, real volume,
+                                                            const real i[4], const real j[4],
+                                                            unsigned flags)
+{
+    real weight = (i[3] + j[3]) * (volume * pair_slope(p, flags));
+    s->x = real_fma(weight, i[0] - j[0], s->x);
+    s->y = real_fma(weight, i[1] - j[1], s->y);
+    s->z = real_fma(weight, i[2] - j[2], s->z);
+    s->weight = s->weight + weight;
+}
+
 #endif

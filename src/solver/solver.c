@@ -90,10 +90,11 @@ static void choose_walls(const struct scene *scene, const struct space *space,
         each->plane[f] = kind == WALL_CLOSED;
         for (int a = 0; a < 3; a++)
             each->wall_velocity[f][a] = (float)scene->domain.wall_velocity[f][a];
-        choice->fastest = fmax(choice->fastest, length3(scene->domain.wall_velocity[f]));
+        choice->wall_speed = fmax(choice->wall_speed, length3(scene->domain.wall_velocity[f]));
         choice->wall_planes = choice->wall_planes || kind == WALL_CLOSED;
         choice->wall_particles = choice->wall_particles || kind == WALL_PARTICLES;
     }
+    choice->fastest = fmax(choice->fastest, choice->wall_speed);
     memcpy(each->low, space->low, sizeof each->low);
     memcpy(each->high, space->high, sizeof each->high);
     each->restitution = (float)scene->domain.restitution;

@@ -25,7 +25,7 @@ struct step_limits {
 
 /* When the sweeps of an implicit solve end. */
 struct solve_limits {
-    double tolerance; /* mean positive compression */
+    double tolerance; /* mean positive compression; of viscosity: relative residual */
     int least, most;  /* sweeps */
     double resume;    /* part of the last step's pressure to start from */
     double momentum;  /* of sweep k: times (k - 1)/(k + 2) */
@@ -38,6 +38,7 @@ struct solver_choice {
     double smoothing_length; /* h, m */
     double sound_speed;      /* c0, m/s */
     double fastest;          /* expected largest speed, m/s */
+    double wall_speed;       /* of the fastest wall, m/s */
     double depth;            /* expected depth for pressure, m, along gravity */
     struct step_limits limits;
     double cfl;              /* of the scene or the solver */
@@ -49,7 +50,9 @@ struct solver_choice {
     struct explicit_constants each;
     bool is_implicit;        /* pressure by solving; particles move last in a step */
     struct implicit_constants implicit;
-    struct solve_limits solves[2]; /* by enum solve */
+    struct solve_limits solves[SOLVE_COUNT]; /* by enum solve */
+    bool implicit_viscosity; /* by solving, too; limits.viscous is then INFINITY */
+    double viscous_step, other_step; /* the explicit viscous limit and the least other, s */
 };
 
 struct solver_row {

@@ -39,7 +39,8 @@ static enum status allocate(struct backend *b, struct error *e)
         ok = ok && (!w || b->wall_axis[a]);
     }
     if (b->choice.is_implicit) {
-        b->residual = memory_create("residuals", n / PARTICLE_BLOCK + 1, sizeof(int64_t), e);
+        b->residual = memory_create("residuals", 2 * (n / PARTICLE_BLOCK + 1),
+                                    sizeof(int64_t), e);
         ok = ok && b->residual;
     } else if (!b->choice.continuity) {
         b->number = memory_create("kernel sums", padded, sizeof(float), e);
@@ -197,10 +198,16 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_SWEEP: cpu_solve(b, step, PAIR_PASS_SWEEP); break;
     case PASS_PROJECT: cpu_solve(b, step, PAIR_PASS_PROJECT); break;
     case PASS_KICK: cpu_kick(b, step); break;
+    case PASS_DRAG_BEGIN: cpu_drag_begin(b, step); break;
+    case PASS_DRAG_DIAGONAL: cpu_solve(b, step, PAIR_PASS_DRAG_DIAGONAL); break;
+    case PASS_DRAG_RESIDUAL: cpu_drag_residual(b, step); break;
+    case PASS_DRAG_MATRIX: cpu_solve(b, step, PAIR_PASS_DRAG); break;
+    case PASS_DRAG_STEP: cpu_drag_step(b, step); break;
     case PASS_RESUME: cpu_resume(b, step); break;
     case PASS_MOVE: cpu_move(b, step); break;
     case PASS_SOLVE_VELOCITY:
     case PASS_SOLVE_SHIFT:
+    case PASS_SOLVE_VISCOSITY:
     case PASS_SOLVED:
     case PASS_COUNT: break;
     }

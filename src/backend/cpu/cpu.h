@@ -20,6 +20,10 @@ struct backend {
     void *spare;                     /* one field's worth of particles, for permuting */
     float *number;                   /* sum w; only with density by summation */
     int64_t *residual;               /* of each block; only with an implicit solver */
+    struct {
+        double product; /* of the residual with itself, preconditioned, J/m^3 */
+        double scale2;  /* what residuals are relative to */
+    } drag;                          /* of the present solve of viscosity */
     pair_function *density, *force;
     struct backend_counts counts;
     char text[128];
@@ -44,6 +48,11 @@ void cpu_solve_start(struct backend *b);
 
 /* A pair pass of the implicit solver; a sweep sets step->residual. */
 void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass);
+
+/* Conjugate gradients of implicit viscosity: what is around each product (solver/drag.h). */
+void cpu_drag_begin(struct backend *b, const struct step *step);
+void cpu_drag_residual(struct backend *b, struct step *step);
+void cpu_drag_step(struct backend *b, struct step *step);
 
 /* The positions that forces are evaluated at: an implicit solver moves particles last. */
 const struct position *cpu_position(const struct backend *b);

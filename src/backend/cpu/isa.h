@@ -44,13 +44,16 @@ struct solve_work {
     const struct implicit_constants *implicit;
     enum solve solve;
     float dt;                   /* s */
+    float relax;                /* times the solver's relaxation */
     float momentum;             /* of the sweeps */
+    float target, offset;       /* density ratio, and compression that sweeps count from */
     struct position *load;
     struct motion *flux, *motion;
     struct factor *factor;
     struct warm *warm;
+    struct drag *search, *remainder, *product;
     float *density;
-    int64_t *residual;          /* of each block, in 2^-40 */
+    int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
 
 /* What a pair pass reads and writes; arrays are those of struct particles. */
@@ -82,7 +85,9 @@ enum pair_pass {
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */
-    PAIR_PASS_SWEEP
+    PAIR_PASS_SWEEP,
+    PAIR_PASS_DRAG_DIAGONAL, /* writes solve->product */
+    PAIR_PASS_DRAG
 };
 
 struct isa_row {

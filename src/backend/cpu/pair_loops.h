@@ -252,6 +252,7 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
 }
 
 #include "backend/cpu/solve_loops.h"
+#include "backend/cpu/drag_loops.h"
 
 static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls)
 {
@@ -263,6 +264,8 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_PUSH: return cubic ? push_cubic : push_wendland;
     case PAIR_PASS_PROJECT: return cubic ? project_cubic : project_wendland;
     case PAIR_PASS_SWEEP: return cubic ? sweep_cubic : sweep_wendland;
+    case PAIR_PASS_DRAG_DIAGONAL: return cubic ? drag_diagonal_cubic : drag_diagonal_wendland;
+    case PAIR_PASS_DRAG: return cubic ? drag_cubic : drag_wendland;
     case PAIR_PASS_FORCE: break;
     }
     return walls ? force_walls_table[flags] : force_table[flags];

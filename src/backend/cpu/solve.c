@@ -11,14 +11,37 @@ void cpu_solve_start(struct backend *b)
         particles_position(p)[i].volume = b->choice.implicit.volume[particles_fluid(p, i)];
 }
 
-/* Trial pressures of the blocks' sweeps; the sum of integers does not depend on its order. */
-static double mean_residual(const int64_t *residual, size_t blocks, size_t particles)
+/* Means over the particles of what blocks left; the sum of integers does not depend on its order. */
+static void mean_residual(const struct backend *b, struct step *step)
 {
-    int64_t sum = 0;
-#pragma omp parallel for schedule(static) reduction(+ : sum)
-    for (size_t k = 0; k < blocks; k++)
-        sum += residual[k];
-    return particles ? (double)sum * 0x1p-40 / (double)particles : 0;
+    size_t blocks = (b->particles.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
+    double one = b->particles.count ? 0x1p-40 / (double)b->particles.count : 0;
+    int64_t error = 0, signed_sum = 0;
+#pragma omp parallel for schedule(static) reduction(+ : error, signed_sum)
+    for (size_t k = 0; k < blocks; k++) {
+        error += b->residual[2 * k];
+        signed_sum += b->residual[2 * k + 1];
+    }
+    step->residual = (double)error * one;
+    step->offset = step->enclosed && step->solve == SOLVE_VELOCITY ? (float)((double)signed_sum * one) : 0;
+}
+
+/* Whether hardly any fluid is loose, and the density ratio to aim at. */
+static void find_target(const struct backend *b, struct step *step)
+{
+    const struct factor *factor = b->particles.now[FIELD_FACTOR];
+    float least = 1 - b->choice.implicit.slack;
+    int64_t sum = 0, loose = 0;
+#pragma omp parallel for schedule(static) reduction(+ : sum, loose)
+    for (size_t i = 0; i < b->particles.count; i++) {
+        float excess = factor[i].ratio - 1;
+        sum += (int64_t)((excess > 1 ? 1 : excess < -1 ? -1 : excess) * 0x1p40f);
+        loose += factor[i].ratio < least;
+    }
+    step->enclosed = 100 * loose < (int64_t)b->particles.count; /* spray is no surface */
+    step->target = 1;
+    if (step->enclosed)
+        step->target += (float)((double)sum * 0x1p-40 / (double)b->particles.count);
 }
 
 void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
@@ -29,12 +52,18 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
         .implicit = &b->choice.implicit,
         .solve = step->solve,
         .dt = step->dt,
+        .relax = step->relax,
         .momentum = step->momentum,
+        .target = step->target,
+        .offset = step->offset,
         .load = p->now[FIELD_LOAD],
         .flux = p->now[FIELD_FLUX],
         .motion = particles_motion(p),
         .factor = p->now[FIELD_FACTOR],
         .warm = p->now[FIELD_WARM],
+        .search = p->now[FIELD_SEARCH],
+        .remainder = p->now[FIELD_REMAINDER],
+        .product = p->now[FIELD_FLUX],
         .density = particles_density(p),
         .residual = b->residual,
     };
@@ -43,8 +72,9 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
     work.solve = &solve;
     cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, b->wall.count > 0));
     if (pass == PAIR_PASS_SWEEP)
-        step->residual = mean_residual(b->residual, (p->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK,
-                                       p->count);
+        mean_residual(b, step);
+    else if (pass == PAIR_PASS_FACTOR)
+        find_target(b, step);
 }
 
 void cpu_kick(struct backend *b, struct step *step)
@@ -87,6 +117,7 @@ void cpu_move(struct backend *b, struct step *step)
     struct particles *p = &b->particles;
     const struct position *x0 = p->before[FIELD_POSITION];
     const struct motion *v0 = p->before[FIELD_MOTION], *flux = p->now[FIELD_FLUX];
+    const float *gravity = b->choice.pair.gravity;
     struct warm *warm = p->now[FIELD_WARM];
     const struct factor *factor = p->now[FIELD_FACTOR];
     float limit = 0.25f * c->spacing * c->spacing; /* half a spacing */
@@ -101,6 +132,9 @@ void cpu_move(struct backend *b, struct step *step)
             float shift[3];
             for (int d = 0; d < 3; d++)
                 shift[d] = one * flux[i].velocity[d] / factor[i].along[d];
+            implicit_bound(c, step->dt, shift);
+            for (int d = 0; d < 3 && warm[i].velocity == 0; d++)
+                shift[d] -= 0.5f * step->dt * gravity[d]; /* falling freely: the mean velocity */
             float move2 = implicit_move(c, step->dt, &x0[i], shift, &particles_position(p)[i], v);
             warm[i].shift = v->pressure * (step->dt * step->dt);
             v->pressure = b->choice.implicit.pressure * warm[i].velocity;

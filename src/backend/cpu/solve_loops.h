@@ -123,20 +123,28 @@ FORCE_INLINE void push_blocks(const struct pair_work *w, size_t first_block, siz
     }
 }
 
-/* Relaxes the pressure at k; returns its compression in 2^-40. */
-FORCE_INLINE int64_t sweep_store(const struct pair_work *w, size_t k, float sum)
+static inline int64_t fixed_part(float x) /* in 2^-40 */
+{
+    return (int64_t)((x > 1 ? 1 : x < -1 ? -1 : x) * 0x1p40f);
+}
+
+/* Relaxes the pressure at k; adds its error and its compression to `residual`. */
+FORCE_INLINE void sweep_store(const struct pair_work *w, size_t k, float sum, int64_t residual[2])
 {
     const struct solve_work *solve = w->solve;
     int fluid = solve_fluid(w, k);
     float ratio = solve->factor[k].ratio;
-    float base = implicit_base(solve->implicit, solve->solve, ratio);
+    float base = implicit_base(solve->implicit, solve->solve, ratio, solve->target), raw;
     float *pressure = &solve->motion[k].pressure, error;
-    error = implicit_sweep(solve->implicit, fluid, solve->dt, base, &solve->factor[k],
+    error = implicit_sweep(solve->implicit, fluid, solve->dt, base, solve->offset, &raw,
+                           &solve->factor[k],
                            solve->flux[k].velocity, sum,
-                           implicit_holds(solve->implicit, solve->solve, ratio), solve->momentum,
+                           implicit_holds(solve->implicit, solve->solve, ratio),
+                           solve->relax, solve->momentum,
                            &solve->warm[k].last, pressure);
     solve->load[k].volume = solve->implicit->volume[fluid] * *pressure;
-    return (int64_t)((error < 1 ? error : 1) * 0x1p40f);
+    residual[0] += fixed_part(error);
+    residual[1] += fixed_part(raw);
 }
 
 FORCE_INLINE void sweep_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
@@ -157,11 +165,12 @@ FORCE_INLINE void sweep_blocks(const struct pair_work *w, size_t first_block, si
             pair_sweep(&sum, &p, flux, flags);
         });
         float out[LANES];
-        int64_t residual = i % PARTICLE_BLOCK ? w->solve->residual[block] : 0;
+        int64_t *residual = &w->solve->residual[2 * block];
+        if (i % PARTICLE_BLOCK == 0)
+            residual[0] = residual[1] = 0;
         real_store(out, sum);
         for (size_t l = 0; l < LANES && i + l < w->count; l++)
-            residual += sweep_store(w, i + l, out[l]);
-        w->solve->residual[block] = residual;
+            sweep_store(w, i + l, out[l], residual);
     }
 }
 

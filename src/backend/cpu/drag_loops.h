@@ -1,0 +1,88 @@
+/* The loops around implicit viscosity's pair body; part of pair_loops.h. */
+
+/* Entries that repeat the particle itself, or lie beyond the support, add nothing to the sums; with
+ * `diagonal`, the weights count too, and entries beyond a count must not. */
+FORCE_INLINE void drag_row(const struct pair_work *w, const struct lane_point *point,
+                           const real self[4], const uint32_t *row, const uint32_t *count,
+                           bool diagonal, struct pair_drags *s, const unsigned flags)
+{
+    uint32_t length = longest(count);
+    real far = real_set(16);
+    for (uint32_t k = 0; k < length; k++) {
+        const uint32_t *index = row + (size_t)k * PARTICLE_BLOCK;
+        real other[4], search[4];
+        records_load(w->position, index, other);
+        records_load(w->solve->search, index, search);
+        struct pair p = pair_between(point, other);
+        if (diagonal)
+            p.q = real_below(k, count, p.q, far);
+        pair_drag(s, &p, other[3], self, search, flags);
+    }
+}
+
+/* Wall particles stand still and drag with i's viscosity, as in the force pass. */
+FORCE_INLINE void drag_wall_row(const struct pair_work *w, const struct lane_point *point,
+                                const real self[4], const uint32_t *row, const uint32_t *count,
+                                struct pair_drags *s, const unsigned flags)
+{
+    uint32_t length = longest(count);
+    real far = real_set(16), zero = real_set(0), wall[4] = {zero, zero, zero, self[3]};
+    for (uint32_t k = 0; k < length; k++) {
+        real other[4];
+        records_load(w->wall, row + (size_t)k * PARTICLE_BLOCK, other);
+        struct pair p = pair_between(point, other);
+        p.q = real_below(k, count, p.q, far);
+        pair_drag(s, &p, other[3], self, wall, flags);
+    }
+}
+
+FORCE_INLINE void drag_store(const struct pair_work *w, size_t i, const struct pair_drags *s,
+                             bool diagonal)
+{
+    const struct solve_work *solve = w->solve;
+    const struct pair_constants *c = &w->constants;
+    float sum[4][LANES];
+    real_store(sum[0], s->x);
+    real_store(sum[1], s->y);
+    real_store(sum[2], s->z);
+    real_store(sum[3], s->weight);
+    for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+        size_t k = i + l;
+        float front = c->gradient * c->inverse_h / w->rest_density[solve_fluid(w, k)];
+        float own[3] = {sum[0][l], sum[1][l], sum[2][l]}, wall = solve->remainder[k].own;
+        drag_product(solve->dt, front, &solve->search[k], wall, own, &solve->product[k]);
+        if (diagonal)
+            solve->product[k].own = 1 + solve->dt * (wall - front * sum[3][l]);
+    }
+}
+
+FORCE_INLINE void drag_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                              bool diagonal, const unsigned flags)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        const size_t block = i / PARTICLE_BLOCK, lane = i % PARTICLE_BLOCK;
+        real volume, self[4], zero = real_set(0);
+        struct lane_point point = point_load(w, i, &volume);
+        struct pair_drags s = {zero, zero, zero, zero};
+        records_load(w->solve->search + i, lane_ramp, self);
+        drag_row(w, &point, self, w->rows[block].index + lane, w->row_count + i, diagonal, &s,
+                 flags);
+        if (w->wall)
+            drag_wall_row(w, &point, self, w->wall_rows[block].index + lane,
+                          w->wall_row_count + i, &s, flags);
+        drag_store(w, i, &s, diagonal);
+    }
+}
+
+#define DRAG(name, flags)                                                                          \
+    static void drag_diagonal_##name(const struct pair_work *w, size_t first, size_t last)         \
+    {                                                                                              \
+        drag_blocks(w, first, last, true, flags);                                                  \
+    }                                                                                              \
+    static void drag_##name(const struct pair_work *w, size_t first, size_t last)                  \
+    {                                                                                              \
+        drag_blocks(w, first, last, false, flags);                                                 \
+    }
+DRAG(wendland, 0)
+DRAG(cubic, KERNEL_CUBIC)
+#undef DRAG
