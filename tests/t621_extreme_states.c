@@ -88,7 +88,7 @@ static void coincident(void **state)
                           w.simulation.stats.rejected);
             if (!ran)
                 assert_non_null(strstr(w.error.text, "cause: "));
-            snprintf(name, sizeof name, "%s: %u pairs in one place come apart", methods[k], pairs);
+            snprintf(name, sizeof name, "%s: %u pairs in one place come apart, or the run stops", methods[k], pairs);
             extreme_todo(!ran || apart > 0.1, name,
                          "the gradient of a pair at distance 0 is 0, so nothing parts it");
             world_close(&w);
