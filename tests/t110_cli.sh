@@ -37,7 +37,7 @@ run 2 "is given twice" $scene -o null -o null
 run 2 "the name is empty" $scene -o ""
 run 2 "did you mean \"wcsph\"" $scene --check --solver wscph
 run 2 "--set particles.spacing=1e-5" $scene --check --set particles.spacing=1e-5
-run 2 "2e+09 are possible" $scene --check --set particles.spacing=1e-5
+run 2 "4294967294 can be numbered" $scene --check --set particles.spacing=1e-5
 run 2 "did you mean \"time.end\"" $scene --check --set time.ned=2
 run 2 "this is a directory" scenes --check
 run 2 "No such file" "$work/none.json" --check

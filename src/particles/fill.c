@@ -99,6 +99,35 @@ double fill_cell_volume(const struct scene *scene, const struct scene_body *body
     return volume;
 }
 
+/* Room for about `points` from the start, so that growing does not hold twice the memory. */
+static enum status fill_reserve(struct fill *fill, double points, size_t *capacity,
+                                struct error *e)
+{
+    size_t room = (size_t)(points * 1.01) + 64;
+    *fill = (struct fill){0};
+    fill->point = memory_create("start points", room, sizeof *fill->point, e);
+    fill->body = fill->point ? memory_create("start points", room, sizeof *fill->body, e) : NULL;
+    *capacity = room;
+    if (!fill->body)
+        fill_free(fill);
+    return fill->body ? STATUS_OK : e->status;
+}
+
+double fill_bodies_estimate(const struct scene *scene)
+{
+    static const double part[] = {
+        [BODY_BOX] = 1, [BODY_SPHERE] = 0.5236, [BODY_CYLINDER] = 0.7854}; /* of the bounds */
+    double points = 0;
+    for (size_t k = 0; k < scene->body_count; k++) {
+        double low[3], high[3];
+        long n[3];
+        body_bounds(&scene->bodies[k], low, high);
+        lattice_size(scene->particles.spacing, low, high, n);
+        points += part[scene->bodies[k].shape] * (double)n[0] * (double)n[1] * (double)n[2];
+    }
+    return points;
+}
+
 static enum status fill_body(const struct scene *scene, int index, struct fill *fill,
                              size_t *capacity, struct error *e)
 {
@@ -132,8 +161,9 @@ static enum status fill_body(const struct scene *scene, int index, struct fill *
 
 enum status fill_bodies(const struct scene *scene, struct fill *fill, struct error *e)
 {
-    size_t capacity = 0;
-    *fill = (struct fill){0};
+    size_t capacity;
+    if (fill_reserve(fill, fill_bodies_estimate(scene), &capacity, e))
+        return e->status;
     for (size_t b = 0; b < scene->body_count; b++)
         if (fill_body(scene, (int)b, fill, &capacity, e)) {
             fill_free(fill);
@@ -142,19 +172,39 @@ enum status fill_bodies(const struct scene *scene, struct fill *fill, struct err
     return STATUS_OK;
 }
 
-enum status fill_walls(const struct scene *scene, double depth, struct fill *fill,
-                       struct error *e)
+/* The lattice of the domain, n cells along each axis, and with its walls cells start to stop. */
+static void wall_lattice(const struct scene *scene, double depth, long n[3], long start[3],
+                         long stop[3])
 {
-    double d = scene->particles.spacing, low[3];
-    long n[3], layers = (long)ceil(depth / d - 1e-6), start[3], stop[3];
-    size_t capacity = 0;
-    *fill = (struct fill){0};
+    double d = scene->particles.spacing;
+    long layers = (long)ceil(depth / d - 1e-6);
     lattice_size(d, scene->domain.min, scene->domain.max, n);
     for (int a = 0; a < 3; a++) {
         start[a] = scene->domain.walls[2 * a] == WALL_PARTICLES ? -layers : 0;
         stop[a] = n[a] + (scene->domain.walls[2 * a + 1] == WALL_PARTICLES ? layers : 0);
-        low[a] = scene->domain.min[a];
     }
+}
+
+double fill_walls_estimate(const struct scene *scene, double depth)
+{
+    double whole = 1, inside = 1;
+    long n[3], start[3], stop[3];
+    wall_lattice(scene, depth, n, start, stop);
+    for (int a = 0; a < 3; a++) {
+        whole *= (double)(stop[a] - start[a]);
+        inside *= (double)n[a];
+    }
+    return whole - inside;
+}
+
+enum status fill_walls(const struct scene *scene, double depth, struct fill *fill,
+                       struct error *e)
+{
+    const double *low = scene->domain.min;
+    long n[3], start[3], stop[3];
+    size_t capacity = 0;
+    *fill = (struct fill){0};
+    wall_lattice(scene, depth, n, start, stop);
     for (long z = start[2]; z < stop[2]; z++)
         for (long y = start[1]; y < stop[1]; y++)
             for (long x = start[0]; x < stop[0]; x++) {

@@ -18,6 +18,10 @@ struct fill {
  * alone. STATUS_RUN when memory is short. */
 enum status fill_bodies(const struct scene *scene, struct fill *fill, struct error *e);
 
+/* About how many points fill_bodies and fill_walls make; of boxes and walls, exactly. */
+double fill_bodies_estimate(const struct scene *scene);
+double fill_walls_estimate(const struct scene *scene, double depth);
+
 /* Volume that each particle of a body stands for, m^3; of a lattice body, one cell. */
 double fill_cell_volume(const struct scene *scene, const struct scene_body *body);
 

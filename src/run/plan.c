@@ -2,6 +2,7 @@
 #include "run/plan.h"
 
 #include "particles/start.h"
+#include "run/budget.h"
 #include "run/film.h"
 
 #include <math.h>
@@ -168,30 +169,26 @@ static enum status check_periods(const struct plan *plan, struct error *e)
     return STATUS_OK;
 }
 
-static enum status plan_particles(struct plan *plan, struct error *e)
+/* What particles will take, by a plan made as if there were none. */
+static enum status plan_budget(const struct plan *plan, const struct run_options *options,
+                               struct error *e)
 {
-    const struct scene *scene = plan->scene;
-    const struct kernel_row *kernel;
-    double support = solver_support(plan->solver, scene, &kernel), volume[FLUIDS_MAX];
-    size_t particles[FLUIDS_MAX];
-    if (scene->fluid_count > FLUIDS_MAX)
-        return error_set(e, STATUS_USAGE, "%s: %zu fluids, but at most %d are supported",
-                         scene->source, scene->fluid_count, FLUIDS_MAX);
-    plan->space = space_create(scene, ceil(support / scene->particles.spacing - 1e-6) *
-                                          scene->particles.spacing);
-    if (fill_bodies(scene, &plan->bodies, e) || fill_walls(scene, support, &plan->walls, e))
-        return e->status;
-    start_count(scene, &plan->bodies, volume, particles);
-    solver_choose(plan->solver, scene, &plan->space, volume, particles, &plan->choice);
-    return check_periods(plan, e);
+    static const double volume[FLUIDS_MAX];
+    static const size_t particles[FLUIDS_MAX];
+    struct plan trial = *plan;
+    solver_choose(plan->solver, plan->scene, &plan->space, volume, particles, &trial.choice);
+    plan_passes(&trial);
+    plan_color(&trial, options);
+    plan_fields(&trial);
+    return budget_check(&trial, e);
 }
 
-enum status plan_make(struct plan *plan, const struct scene *scene,
-                      const struct run_options *options, struct error *e)
+static enum status plan_rows(struct plan *plan, const struct scene *scene,
+                             const struct run_options *options, struct error *e)
 {
-    *plan = (struct plan){.scene = scene};
     bool automatic = strcmp(scene->neighbours, "auto") == 0;
     const char *backend = options->backend ? options->backend : "auto";
+    *plan = (struct plan){.scene = scene};
     plan->solver = (const struct solver_row *)variant_find(&solver_table, scene->solver.method);
     plan->search = automatic ? &search_index_sort
                              : (const struct search_row *)variant_find(&search_table,
@@ -202,7 +199,52 @@ enum status plan_make(struct plan *plan, const struct scene *scene,
     if (!plan->backend || plan->backend->variant.missing)
         return error_set(e, STATUS_USAGE, "--backend %s: not in this build; see sph-render list",
                          backend);
-    if (plan_particles(plan, e)) {
+    if (options->strict && isnan(scene->time.step))
+        return error_set(e, STATUS_USAGE, "--strict: %s gives no time.step that could be too "
+                         "long; give one, or leave out --strict", scene->source);
+    return STATUS_OK;
+}
+
+/* All that is known before a particle is made; checks that they will fit. */
+static enum status plan_start(struct plan *plan, const struct scene *scene,
+                              const struct run_options *options, struct error *e)
+{
+    const struct kernel_row *kernel;
+    if (plan_rows(plan, scene, options, e))
+        return e->status;
+    if (scene->fluid_count > FLUIDS_MAX)
+        return error_set(e, STATUS_USAGE, "%s: %zu fluids, but at most %d are supported",
+                         scene->source, scene->fluid_count, FLUIDS_MAX);
+    double d = scene->particles.spacing, support = solver_support(plan->solver, scene, &kernel);
+    plan->space = space_create(scene, ceil(support / d - 1e-6) * d);
+    return plan_budget(plan, options, e);
+}
+
+static enum status plan_particles(struct plan *plan, struct error *e)
+{
+    const struct scene *scene = plan->scene;
+    const struct kernel_row *kernel;
+    double support = solver_support(plan->solver, scene, &kernel), volume[FLUIDS_MAX];
+    size_t particles[FLUIDS_MAX];
+    if (fill_bodies(scene, &plan->bodies, e) || fill_walls(scene, support, &plan->walls, e))
+        return e->status;
+    start_count(scene, &plan->bodies, volume, particles);
+    solver_choose(plan->solver, scene, &plan->space, volume, particles, &plan->choice);
+    return check_periods(plan, e);
+}
+
+enum status plan_check(const struct scene *scene, const struct run_options *options,
+                       struct error *e)
+{
+    struct plan plan;
+    e->status = STATUS_OK;
+    return plan_start(&plan, scene, options, e);
+}
+
+enum status plan_make(struct plan *plan, const struct scene *scene,
+                      const struct run_options *options, struct error *e)
+{
+    if (plan_start(plan, scene, options, e) || plan_particles(plan, e)) {
         plan_free(plan);
         return e->status;
     }

@@ -28,6 +28,10 @@ struct plan {
     size_t omitted_count;
 };
 
+/* Whether the scene can be planned on this machine, without making a particle. */
+enum status plan_check(const struct scene *scene, const struct run_options *options,
+                       struct error *e);
+
 /* STATUS_USAGE when the scene asks for what cannot be, STATUS_RUN when memory is short. */
 enum status plan_make(struct plan *plan, const struct scene *scene,
                       const struct run_options *options, struct error *e);

@@ -113,7 +113,8 @@ void plan_write(const struct plan *plan, FILE *out)
                  "neighbours)\n",
             plan->solver->variant.name, c->kernel->variant.name, c->support, ratio,
             kernel_lattice_neighbours(ratio));
-    (c->is_implicit ? write_solves : write_limits)(c, out);
+    if (plan->bodies.count)
+        (c->is_implicit ? write_solves : write_limits)(c, out);
     write_terms(c, out);
     fprintf(out, "neighbours     %s\n", plan->search->variant.name);
     if (plan->draws && plan->color->solid)

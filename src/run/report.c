@@ -97,11 +97,12 @@ static void write_body(FILE *f, const struct report *r, struct simulation *s)
             s->plan->walls.count);
     fprintf(f, "  \"steps\": %ld,\n  \"rejected\": %ld,\n  \"sorts\": %ld,\n", s->stats.steps,
             s->stats.rejected, s->stats.sorts);
-    if (steps > 0)
+    if (steps > 0 && n > 0)
         fprintf(f, "  \"dt\": {\"min\": %.9g, \"mean\": %.9g, \"max\": %.9g},\n", s->stats.dt_min,
                 s->stats.dt_sum / steps, s->stats.dt_max);
-    fprintf(f, "  \"sound_speed\": %.9g,\n  \"pairs\": %.0f,\n", s->plan->choice.sound_speed,
-            counts->pairs);
+    if (n > 0)
+        fprintf(f, "  \"sound_speed\": %.9g,\n", s->plan->choice.sound_speed);
+    fprintf(f, "  \"pairs\": %.0f,\n", counts->pairs);
     if (steps > 0 && n > 0)
         fprintf(f, "  \"ns_per_particle_step\": %.3f,\n", r->solve * 1e9 / steps / n);
     if (s->plan->choice.is_implicit)

@@ -8,6 +8,7 @@
 #include "run/report.h"
 
 #include <math.h>
+#include <omp.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,16 +163,27 @@ static enum status film_start(struct session *x, const struct run_options *optio
     return film_open(&x->film, &setup, e);
 }
 
+void run_warn_threads(int threads)
+{
+    int processors = omp_get_num_procs();
+    if (threads > processors)
+        log_info("warning: %d threads on %d processor%s wait for each other; use --threads %d, or 0",
+                 threads, processors, processors == 1 ? "" : "s", processors);
+}
+
 static void say_choices(const struct session *x)
 {
     const struct solver_choice *c = &x->plan.choice;
     const struct simulation *s = &x->simulation;
     char sound[48] = "";
-    if (c->sound_speed > 0)
+    if (x->plan.bodies.count == 0)
+        log_info("no particles: the scene has no bodies, so nothing moves");
+    else if (c->sound_speed > 0)
         snprintf(sound, sizeof sound, "sound speed %.4g m/s, ", c->sound_speed);
-    log_info("%zu particles, %s on %s, support %.3g spacings, %sstep %.3g s",
-             x->plan.bodies.count, x->plan.solver->variant.name, s->row->describe(s->backend),
-             c->support / c->spacing, sound, s->last_dt);
+    if (x->plan.bodies.count > 0)
+        log_info("%zu particles, %s on %s, support %.3g spacings, %sstep %.3g s",
+                 x->plan.bodies.count, x->plan.solver->variant.name,
+                 s->row->describe(s->backend), c->support / c->spacing, sound, s->last_dt);
     if (film_renderer(x->film))
         log_info("renderer %s", film_renderer(x->film));
     if (x->plan.scene->measure_count && !x->plan.measures.count)
@@ -271,6 +283,7 @@ enum status run_scene(const struct scene *scene, const struct run_options *optio
         return e->status;
     if (plan_make(&x.plan, scene, options, e))
         return e->status;
+    run_warn_threads(options->threads);
     session_schedule(&x, scene, options->at);
     catch_signals(true);
     session_run(&x, options, e);
@@ -278,6 +291,12 @@ enum status run_scene(const struct scene *scene, const struct run_options *optio
     memory_free(x.report.frames);
     plan_free(&x.plan);
     return e->status;
+}
+
+enum status run_check(const struct scene *scene, const struct run_options *options,
+                      struct error *e)
+{
+    return plan_check(scene, options, e);
 }
 
 enum status run_plan(const struct scene *scene, const struct run_options *options, FILE *out,

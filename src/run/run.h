@@ -14,6 +14,7 @@ struct run_options {
     size_t output_count;
     double at;                  /* --at T, s: one frame, the state at exactly T; NAN: a film */
     int threads;                /* 0: all processors */
+    bool strict;                /* a step shorter than time.step is an error */
     const char *backend;        /* row of the table "backends", or "auto" */
     const char *context;        /* row of the table "contexts", or "auto" */
     const char *isa;            /* row of the table "isas", or "auto" */
@@ -23,6 +24,13 @@ struct run_options {
 
 /* All variant tables, for list, --help and scene_load. */
 extern const struct vocabulary run_vocabulary;
+
+/* Whether the scene could run here: numbers of fluids and particles, memory. */
+enum status run_check(const struct scene *scene, const struct run_options *options,
+                      struct error *e);
+
+/* Says so when there are more threads than processors. */
+void run_warn_threads(int threads);
 
 /* Prints the plan and stops. */
 enum status run_plan(const struct scene *scene, const struct run_options *options, FILE *out,

@@ -3,48 +3,20 @@
 
 #include "base/log.h"
 #include "particles/start.h"
+#include "run/give_up.h"
+#include "run/limits.h"
 #include "run/step.h"
 
 #include <math.h>
 
 enum { HALVINGS_MAX = 12 };
-#define MACH_MAX 0.5 /* beyond it density, hence pressure, is wrong: a run ends */
-
-/* The step in which gravity and the present speed move a particle by cfl 0.4 d (Bender & Koschier
- * 2015), grown slowly. A flow from rest starts with the time that gravity takes for d / 16. */
-static double implicit_step(const struct simulation *s, double speed)
-{
-    const struct solver_choice *c = &s->plan->choice;
-    const double *g = s->plan->scene->gravity;
-    double most = c->cfl * 0.4 * c->spacing;
-    if (c->implicit_viscosity) /* a wall can drag fluid along in one step */
-        speed = fmax(speed, c->wall_speed);
-    double force = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-    double reached = (sqrt(speed * speed + 4 * force * most) - speed) / 2; /* dt g */
-    double dt = fmin(c->limits.user, c->limits.viscous);
-    if (speed + reached > 0)
-        dt = fmin(dt, most / (speed + reached));
-    if (force > 0)
-        dt = fmin(dt, 0.1 * sqrt(c->spacing / force));
-    return fmin(dt, 1.1 * s->last_dt);
-}
 
 /* The largest step that every limit allows from the present state, s. */
 static double natural_step(const struct simulation *s)
 {
-    const struct step_limits *limit = &s->plan->choice.limits;
-    double h = s->plan->choice.smoothing_length, d = s->plan->choice.spacing;
-    double speed = sqrt(s->extremes.speed2), acceleration = sqrt(s->extremes.acceleration2);
-    double dt = limit->acoustic / (s->plan->choice.sound_speed + speed);
-    if (s->plan->choice.is_implicit)
-        return implicit_step(s, speed);
-    dt = fmin(dt, limit->viscous);
-    dt = fmin(dt, limit->user);
-    if (acceleration > 0)
-        dt = fmin(dt, limit->force * sqrt(h / acceleration));
-    if (speed > 0)
-        dt = fmin(dt, 0.4 * d / speed); /* well below the half spacing of the guard */
-    return fmin(dt, 1.1 * s->last_dt);
+    double limit[LIMIT_COUNT];
+    limits_now(s, limit);
+    return limits_least(limit, LIMITS_ALL, NULL);
 }
 
 /* How far any particle can move in a step of dt from the present state, m. */
@@ -79,42 +51,6 @@ static enum status keep_rows(struct simulation *s, double dt, struct error *e)
     return step_pass(s, PASS_NEIGHBOURS, &step, e);
 }
 
-/* What stopped the run, in terms of the scene. */
-static enum status give_up(struct simulation *s, double dt, int halvings, uint32_t bad,
-                           struct error *e)
-{
-    const struct particles *p = s->row->state(s->backend);
-    const struct space *space = &s->plan->space;
-    size_t i = 0;
-    while (i + 1 < p->count && particles_id(p)[i] != bad)
-        i++;
-    const struct position *x = &particles_position(p)[i];
-    const float *v = particles_motion(p)[i].velocity;
-    const struct rate *rate = particles_rate(p);
-    const float *a = rate ? rate[i].acceleration : s->plan->choice.pair.gravity;
-    double speed = sqrt((double)v[0] * v[0] + (double)v[1] * v[1] + (double)v[2] * v[2]);
-    double force = sqrt((double)a[0] * a[0] + (double)a[1] * a[1] + (double)a[2] * a[2]);
-    double c0 = s->plan->choice.sound_speed;
-    const char *cause, *change;
-    if (!isfinite(speed) || !isfinite(force)) {
-        cause = "a value that is not finite";
-        change = "look for overlapping bodies or an extreme stiffness";
-    } else if (c0 > 0 && speed > MACH_MAX * c0) {
-        cause = "flow faster than half the numerical speed of sound, where density is wrong";
-        change = "raise solver.sound_speed (solver.stiffness) to 10 times the fastest flow";
-    } else {
-        cause = "a force that no time step resolves";
-        change = "lower the stiffness, separate overlapping particles, or use a smaller spacing";
-    }
-    return error_set(e, STATUS_RUN,
-                     "stopped at t = %.6g s: particle %u at (%.4g, %.4g, %.4g) m, speed %.4g m/s, "
-                     "acceleration %.4g m/s^2, after %d halvings of the time step (now %.3g s); "
-                     "cause: %s; %s. Frames up to now are kept",
-                     s->time, bad, space_metres(space, 0, x->count[0]),
-                     space_metres(space, 1, x->count[1]), space_metres(space, 2, x->count[2]),
-                     speed, force, halvings, dt, cause, change);
-}
-
 /* The particle that moves fastest. */
 static uint32_t fastest(struct simulation *s)
 {
@@ -147,6 +83,8 @@ static enum status accept(struct simulation *s, double dt, double limit, bool la
 enum status simulation_step(struct simulation *s, double target, struct error *e)
 {
     double limit = natural_step(s), left = target - s->time, most = limit;
+    if (strict_check(s, INFINITY, 0, e))
+        return e->status;
     for (int halvings = 0; halvings <= HALVINGS_MAX; halvings++) {
         double parts = ceil(left / most * (1 - 1e-9)); /* equal steps up to the target */
         double dt = isfinite(left) ? left / fmax(parts, 1) : most;
@@ -156,6 +94,8 @@ enum status simulation_step(struct simulation *s, double target, struct error *e
         if (bad == UINT32_MAX)
             return accept(s, dt, most, parts <= 1, target, e);
         log_detail("t = %.6g s: step of %.3g s rejected (particle %u)", s->time, dt, bad);
+        if (strict_check(s, dt, bad, e))
+            return e->status;
         if (halvings == HALVINGS_MAX || dt < s->least_dt)
             return give_up(s, dt, halvings, bad, e);
         most = dt / 2;
@@ -204,7 +144,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .threads = options->threads,
     };
     *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY,
-                             .relax = {1, 1, 1}};
+                             .relax = {1, 1, 1}, .strict = options->strict};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
         solver_start(&plan->choice, &particles, e) ||
@@ -220,7 +160,8 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
     s->last_dt = natural_step(s);
     s->least_dt = 1e-4 * s->last_dt;
     s->allowance = 0; /* rows for the first real step */
-    return STATUS_OK;
+    if (!strict_check(s, INFINITY, 0, e))
+        return STATUS_OK;
 failed:
     simulation_close(s);
     return e->status;

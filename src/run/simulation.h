@@ -19,6 +19,7 @@ struct simulation {
     double last_dt;           /* natural limit of the last step, s */
     double least_dt;          /* a rejected step below this ends the run, s */
     struct extremes extremes; /* of the present state */
+    bool strict;              /* a step shorter than the scene's is an error */
     double relax[SOLVE_COUNT];          /* of the sweeps of each solve, besides the solver's relaxation */
     double moved, allowance;  /* m since the last sort, and at most */
     struct {

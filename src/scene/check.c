@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double particle_limit = 2e9, frame_limit = 1e7, lattice_limit = 1 << 20;
+static const double particle_limit = 4294967294.0, frame_limit = 1e7, lattice_limit = 1 << 20;
 
 static enum status check_domain(struct load *load)
 {
@@ -170,7 +170,7 @@ static enum status check_amount(struct load *load)
         volume += body_volume(&s->bodies[i]);
     if (volume / (d * d * d) > particle_limit)
         return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m "
-                         "would make %.3g particles; at most %g are possible, so spacing %.3g or "
+                         "would make %.3g particles; at most %.0f can be numbered, so spacing %.3g or "
                          "more, and %.3g would make a million", d, volume / (d * d * d),
                          particle_limit, cbrt(volume / particle_limit), cbrt(volume / 1e6));
     return STATUS_OK;

@@ -94,7 +94,9 @@ static inline void implicit_factor(const struct explicit_constants *c,
     float diagonal = g2 / rest + m->volume[fluid] * (m->gradient * m->gradient) *
                                      (widest * widest) * squares;
     bool weak = !(diagonal * rest * c->h * c->h > 1e-5f);
-    f->inverse = weak ? 0 : 1 / (diagonal * widest);
+    /* Crowded particles have more neighbours than the lattice, whose window omega is. */
+    float crowd = f->ratio > 1.1f ? f->ratio : 1;
+    f->inverse = weak ? 0 : 1 / (diagonal * widest * crowd);
 }
 
 /* A sum of rounding errors only; kept, its products would be denormal, and slow. */

@@ -152,6 +152,17 @@ static void choose_scales(const struct scene *scene, const struct space *space,
     kernel_plane_table(choice->kernel, choice->support / d, &choice->each.planes);
 }
 
+/* What velocity takes back of a density error is a part in each step: in steps that the scene makes
+ * short it would be speed without bound. */
+static void choose_restore(const struct scene *scene, struct solver_choice *choice)
+{
+    double step = fmin(choice->limits.user, choice->limits.viscous);
+    double usual = fmin(0.1 * sqrt(choice->spacing / length3(scene->gravity)),
+                        0.4 * choice->cfl * choice->spacing / choice->fastest);
+    if (choice->is_implicit && isfinite(usual) && step < usual)
+        choice->implicit.restore *= (float)(step / usual);
+}
+
 void solver_choose(const struct solver_row *solver, const struct scene *scene,
                    const struct space *space, const double *fluid_volume,
                    const size_t *fluid_particles, struct solver_choice *choice)
@@ -171,5 +182,8 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     choice->limits.force = 0.25;
     choice->limits.user = isnan(scene->time.step) ? INFINITY : scene->time.step;
     solver->choose(scene, choice);
+    if (!choice->is_implicit) /* forces see a velocity that is predicted by the last forces: drag of */
+        choice->limits.viscous /= 2; /* rate z is stable for z dt < 1, not 2 as by Euler's method */
+    choose_restore(scene, choice);
     choice->each.rest_speed = (float)(1e-12 * fmax(choice->sound_speed, choice->fastest));
 }

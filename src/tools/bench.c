@@ -195,6 +195,7 @@ static int bench_run(int argc, char **argv)
         return STATUS_USAGE;
     if (b.run.isa)
         cli_check_variant("--isa", "isas", b.run.isa, &e);
+    run_warn_threads(b.run.threads);
     for (size_t k = 0; k < b.scene_count && !e.status; k++)
         measure(&b, b.scenes[k], &results[k], &e);
     if (e.status) {

@@ -68,6 +68,8 @@ static enum status film(const struct cli *cli, const struct scene *scene, struct
         return run_scene(scene, &cli->run, e);
     if (cli->plan)
         return run_plan(scene, &cli->run, stdout, e);
+    if (cli->check && run_check(scene, &cli->run, e))
+        return e->status;
     if (cli->check && !cli->quiet)
         printf("%s: ok\n", cli->scene);
     return STATUS_OK;

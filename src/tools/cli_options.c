@@ -26,6 +26,8 @@ const struct cli_option cli_options[] = {
     {"end", "T", CLI_END, 2, "Stop at T seconds (time.end)", NULL, "time.end"},
     {"solver", "NAME", CLI_SOLVER, 2, "Pressure solver (solver.method)", "solvers",
      "solver.method"},
+    {"strict", NULL, CLI_STRICT, 2, "Stop with an error where a limit asks for a shorter step than "
+     "time.step, instead of taking it; steps that end at a frame's time may be shorter", NULL, NULL},
     {"color", "NAME", CLI_COLOR, 2, "Quantity shown (color.by)", "colors", "color.by"},
 
     {"threads", "N", CLI_THREADS, 3, "Threads; 0, the default: one per processor", NULL, NULL},

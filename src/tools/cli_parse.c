@@ -117,6 +117,7 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
     case CLI_BACKEND: read_variant(cli, option, value, &cli->run.backend); break;
     case CLI_GL: read_variant(cli, option, value, &cli->run.context); break;
     case CLI_ISA: read_variant(cli, option, value, &cli->run.isa); break;
+    case CLI_STRICT: cli->run.strict = true; break;
     case CLI_CHECK: cli->check = true; break;
     case CLI_PLAN: cli->plan = true; break;
     case CLI_REPORT: cli->run.report = value; break;

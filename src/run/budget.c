@@ -1,0 +1,49 @@
+/* Estimates particles and memory of a plan. */
+#include "run/budget.h"
+
+#include "base/machine.h"
+#include "render/render.h"
+#include "run/film.h"
+
+#include <math.h>
+
+#define PARTICLES_MAX 4294967294.0 /* 2^32 - 2: ids are 32 bits, and the last one means none */
+#define WORK_BYTES 52              /* a particle: sort 24, coordinates 12, rows 8, cells up to 8 */
+#define START_BYTES (sizeof(double[3]) + sizeof(int))
+#define SNAPSHOT_BYTES 20          /* a particle in a frame that waits: position, value, colour */
+
+/* Bytes that each particle, or wall particle, takes at the least. */
+static double fluid_bytes(const struct plan *plan)
+{
+    const struct solver_choice *c = &plan->choice;
+    double bytes = (double)plan->bytes_per_particle + START_BYTES + WORK_BYTES +
+                   4.0 * kernel_lattice_neighbours(c->support / c->spacing);
+    return bytes + (plan->draws ? FILM_SNAPSHOTS * SNAPSHOT_BYTES : 0);
+}
+
+static double wall_bytes(void)
+{
+    return START_BYTES + WORK_BYTES + sizeof(struct position) + sizeof(uint32_t);
+}
+
+enum status budget_check(const struct plan *plan, struct error *e)
+{
+    const struct scene *scene = plan->scene;
+    double fluid = fill_bodies_estimate(scene), d = scene->particles.spacing;
+    double wall = fill_walls_estimate(scene, plan->choice.support);
+    double bytes = fluid * fluid_bytes(plan) + wall * wall_bytes();
+    const char *what;
+    double have = machine_memory(&what), most = fmax(fluid, wall);
+    if (most > PARTICLES_MAX)
+        return error_set(e, STATUS_USAGE, "%s: particles.spacing %g m would make %.4g particles%s; "
+                         "at most %.0f can be numbered: use a spacing of %.3g m or more",
+                         scene->source, d, most, wall > fluid ? " in the walls" : "",
+                         PARTICLES_MAX, d * cbrt(most / PARTICLES_MAX) * 1.01);
+    if (have == 0 || bytes <= have)
+        return STATUS_OK;
+    return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles (and "
+                     "%.4g in walls), which take %.4g GB (%.0f bytes each), but there are %.4g GB "
+                     "(%s): use a spacing of %.3g m or more, or smaller bodies",
+                     scene->source, d, fluid, wall, 1e-9 * bytes, fluid_bytes(plan), 1e-9 * have,
+                     what, d * cbrt(bytes / have) * 1.01);
+}

@@ -1,0 +1,44 @@
+#!/bin/sh
+# Tests what is said before and when a run fails: --strict, memory, threads, no particles.
+. tests/tap.sh
+export OMP_WAIT_POLICY=passive
+cat >"$work/scene.json" <<'J'
+{ "domain": {"min": [0, 0, 0], "max": [0.5, 0.5, 0.3]}, "particles": {"spacing": 0.05},
+  "fluids": [{"density": 1000, "viscosity": 1e-3}],
+  "bodies": [{"shape": "box", "min": [0, 0.1, 0], "max": [0.25, 0.4, 0.3]}],
+  "time": {"end": 0.2}, "movie": {"size": [64, 64], "fps": 10} }
+J
+grep -v bodies "$work/scene.json" >"$work/none.json"
+# says CODE TEXT NAME ARGUMENTS...
+says() {
+    code=$1 text=$2 name=$3
+    shift 3
+    timeout 60 "$SPH" "$@" >"$work/out" 2>&1
+    rc=$?
+    [ $rc = "$code" ] && grep -qE -e "$text" "$work/out"
+    result $? "$name: exit code $code"
+}
+run="$work/scene.json -o null --threads 1"
+for s in wcsph dfsph muller; do
+    says 1 "strict: at t = 0 s the .* limit .* asks for" "$s, strict, a long step" \
+        $run --strict --solver $s --set time.step=0.05
+    says 0 frames "$s, strict, a short step" $run --strict --solver $s --set time.step=1e-4
+    says 1 "strict: at t = 0[.][0-9]*[1-9]" "$s, strict, during the run" $run --strict --solver $s \
+        --set time.step="$([ $s = dfsph ] && echo 0.006 || echo 6.5e-4)" --set time.end=1
+done
+says 2 "gives no time.step" "strict without a step" $run --strict
+for how in --check --plan "-o null"; do
+    says 1 "GB .*use a spacing of" "too much memory, $how" scenes/dambreak.json \
+        --set particles.spacing=0.00035 $how
+    says 2 "4294967294 can be numbered" "too many particles, $how" scenes/dambreak.json \
+        --set particles.spacing=0.00025 $how
+done
+says 0 "warning: 4096 threads on" "threads beyond the processors" "$work/none.json" -o null \
+    --threads 4096
+says 0 "no particles" "no particles" "$work/none.json" -o null
+! grep -q "sound speed" "$work/out"
+result $? "no particles: no sound speed is said"
+says 0 "particles      0" "no particles, plan" "$work/none.json" --plan
+! grep -q "sound speed\|time step" "$work/out"
+result $? "no particles, plan: no sound speed, no step"
+echo "1..$n"
