@@ -42,6 +42,10 @@ static enum status allocate(struct backend *b, struct error *e)
         b->residual = memory_create("residuals", 2 * (n / PARTICLE_BLOCK + 1),
                                     sizeof(int64_t), e);
         ok = ok && b->residual;
+        if (b->particles.now[FIELD_FLUID]) {
+            b->inverse_density = memory_create("kernel sums", padded, sizeof(float), e);
+            ok = ok && b->inverse_density;
+        }
     } else if (!b->choice.continuity) {
         b->number = memory_create("kernel sums", padded, sizeof(float), e);
         ok = ok && b->number;
@@ -119,6 +123,7 @@ static void cpu_close(struct backend *b)
     memory_free(b->spare);
     memory_free(b->number);
     memory_free(b->residual);
+    memory_free(b->inverse_density);
     free(b);
 }
 

@@ -19,6 +19,8 @@ struct backend {
     uint32_t *axis[3], *wall_axis[3];/* coordinates by axis, for the row build */
     void *spare;                     /* one field's worth of particles, for permuting */
     float *number;                   /* sum w; only with density by summation */
+    float *inverse_density;          /* 1 / rest density; only with an implicit solver and fluids
+                                        that differ in it */
     int64_t *residual;               /* of each block; only with an implicit solver */
     struct {
         double product; /* of the residual with itself, preconditioned, J/m^3 */

@@ -44,6 +44,17 @@ static void find_target(const struct backend *b, struct step *step)
         step->target += (float)((double)sum * 0x1p-40 / (double)b->particles.count);
 }
 
+/* In the present order of the particles. */
+static void invert_densities(struct backend *b)
+{
+    if (!b->inverse_density)
+        return;
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < b->particles.count; i++)
+        b->inverse_density[i] =
+            1 / b->choice.each.rest_density[particles_fluid(&b->particles, i)];
+}
+
 void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
 {
     struct particles *p = &b->particles;
@@ -70,6 +81,9 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
     struct pair_work work = cpu_pair_work(b);
     work.motion = p->before[FIELD_MOTION];
     work.solve = &solve;
+    if (pass == PAIR_PASS_FACTOR)
+        invert_densities(b);
+    work.inverse_density = b->inverse_density;
     cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, b->wall.count > 0));
     if (pass == PAIR_PASS_SWEEP)
         mean_residual(b, step);
