@@ -193,6 +193,7 @@ static enum status parse_value(struct load *load, struct json *doc, const struct
     json_free(doc);
     if (!json_quote(value, quoted, sizeof quoted))
         return error_set(load->e, STATUS_USAGE, "%.200s: the value is too long", label);
+    load->e->status = STATUS_OK; /* of the try without quotes */
     return json_read_text(doc, label, quoted, load->e);
 }
 
