@@ -43,6 +43,10 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
                            ? "pass walls: they drag and push by the solves"
                            : "pass walls: they do not drag, and push by the pressure solve");
         return c->wall_planes && drags;
+    case PASS_SHIFT:
+        if (!c->shifting)
+            omit(plan, "pass shift: particles move with the fluid");
+        return c->shifting;
     case PASS_DRAG_BEGIN:
         if (viscous && !c->implicit_viscosity)
             omit(plan, "passes of implicit viscosity: it is explicit");

@@ -104,13 +104,14 @@ static inline uint32_t explicit_bounce(const struct explicit_constants *c, int a
 /* First half of a step; returns the square of the distance moved, m^2 (INFINITY when runaway). */
 static inline float explicit_predict(const struct explicit_constants *c, int fluid, float dt,
                                      const struct position *x0, const struct motion *v0,
-                                     const struct rate *rate, float density0, struct position *x,
+                                     const struct rate *rate, float density0,
+                                     const float *shift, struct position *x,
                                      struct motion *v, float *density)
 {
     float move2 = 0;
     for (int a = 0; a < 3; a++) {
         float kick = 0.5f * dt * rate->acceleration[a], half = v0->velocity[a] + kick;
-        float move = half * dt;
+        float move = shift ? (half + shift[a]) * dt : half * dt;
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing)) /* the step is rejected anyway: no overflow below */
             return INFINITY;
@@ -193,7 +194,7 @@ static inline float explicit_drag(const struct explicit_constants *c, int fluid,
  * `pushes` it only drags. */
 static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   const struct position *x, const struct motion *v, float density,
-                                  bool pushes, struct rate *rate)
+                                  bool pushes, float own, struct rate *rate)
 {
     float open[3];
     if (!explicit_open(c, x, open))
@@ -209,12 +210,12 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         float lever = 1 / (q > near ? q : near);
         if (pushes) {
             float area = c->normal * part * plane_value(c->planes.area, q) / c->h;
-            float p = v->pressure + (v->pressure > 0 ? v->pressure : 0);
+            float p = own * v->pressure + (v->pressure > 0 ? v->pressure : 0);
             float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
             rate->acceleration[n] += inward * p * area / density;
             rate->density -= density * inward * v->velocity[n] * closing;
             float share = part * plane_value(c->planes.volume, q);
-            for (int a = 0; a < 3 && p > 0; a++)
+            for (int a = 0; a < 3 && v->pressure > 0; a++)
                 rate->acceleration[a] -=
                     c->gravity[a] * (share + (a == n ? q * c->h * area : 0));
         }

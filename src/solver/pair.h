@@ -18,6 +18,7 @@ struct pair {
 /* What is read of a particle. */
 struct pair_state {
     real volume, vx, vy, vz, pressure, viscosity;
+    real own;
     real inverse_volume; /* only of i, only with PAIR_SYMMETRIC */
 };
 
@@ -71,7 +72,7 @@ static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s
     real slope = pair_slope(p, flags), weight = j->volume * slope;
     real vx = i->vx - j->vx, vy = i->vy - j->vy, vz = i->vz - j->vz;
     real dot = real_fma(vz, p->z, real_fma(vy, p->y, vx * p->x));
-    real push = weight * (i->pressure + j->pressure);
+    real push = weight * (i->own + j->pressure);
     if (flags & PAIR_SYMMETRIC) /* 1/m_i = 1/(rho_i V_i), and 1/rho_i is applied in front */
         push = slope * real_fma(i->volume, i->pressure,
                                 j->volume * j->volume * j->pressure * i->inverse_volume);

@@ -15,6 +15,7 @@ enum {
     WARM = FIELD_BIT(FIELD_WARM),
     SEARCH = FIELD_BIT(FIELD_SEARCH),
     REMAINDER = FIELD_BIT(FIELD_REMAINDER),
+    SHIFT = FIELD_BIT(FIELD_SHIFT),
 };
 
 const struct pass_row pass_table[PASS_COUNT] = {
@@ -31,6 +32,8 @@ const struct pass_row pass_table[PASS_COUNT] = {
                     POSITION | MOTION | DENSITY, RATE},
     [PASS_WALLS] = {PASS_WALLS, PASS_EACH, "walls", "half spaces behind closed faces",
                     POSITION | MOTION | DENSITY, RATE},
+    [PASS_SHIFT] = {PASS_SHIFT, PASS_PAIR, "shift", "velocity of shifting, and rates along it",
+                    POSITION | MOTION | DENSITY | SHIFT, RATE | SHIFT},
     [PASS_CORRECT] = {PASS_CORRECT, PASS_EACH, "correct", "second half kick; extremes",
                       MOTION | DENSITY | RATE, MOTION | DENSITY},
     [PASS_FACTOR] = {PASS_FACTOR, PASS_PAIR, "factor", "density by summation, gradient sums, diagonal",

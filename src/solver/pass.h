@@ -18,6 +18,7 @@ enum pass_id {
     PASS_PRESSURE,
     PASS_FORCE,
     PASS_WALLS,
+    PASS_SHIFT,
     PASS_CORRECT,
     PASS_FACTOR,
     PASS_SOLVE_VELOCITY,

@@ -45,6 +45,8 @@ struct solver_choice {
     double moment;           /* of gradients on the lattice, with masses as they are */
     unsigned flags;          /* enum pair_flag, and the kernel's */
     bool continuity;         /* density by continuity equation */
+    bool shifting;           /* particles drift towards emptier places */
+    float crowd;             /* 1 / w(d), of shifting */
     bool wall_planes, wall_particles;
     struct pair_constants pair;
     struct explicit_constants each;

@@ -26,11 +26,13 @@ static const struct key keys[] = {
      .doc = "pair pressure: V_j (p_i + p_j), or V_i^2 p_i + V_j^2 p_j"},
     {.path = "solver.clamp_negative", .type = KEY_BOOL, .fallback = "true", .unit = "",
      .offset = KEY_OPTION, .doc = "set negative pressure to zero: no clumping at a free surface"},
+    {.path = "solver.shifting", .type = KEY_BOOL, .fallback = "false", .unit = "",
+     .offset = KEY_OPTION, .doc = "particles drift towards emptier places within the fluid"},
 };
 
 static const enum pass_id passes[] = {
     PASS_SORT,  PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY,
-    PASS_PRESSURE, PASS_FORCE,   PASS_WALLS,   PASS_CORRECT,
+    PASS_PRESSURE, PASS_FORCE,   PASS_WALLS,   PASS_SHIFT,   PASS_CORRECT,
 };
 
 static void choose(const struct scene *scene, struct solver_choice *choice)
@@ -49,6 +51,8 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     }
     if (choice->continuity)
         choice->flags |= PAIR_CONTINUITY | (delta > 0 ? PAIR_DIFFUSION : 0);
+    choice->shifting = scene_flag(scene, "solver.shifting");
+    choice->crowd = (float)(1 / choice->kernel->value(choice->spacing / choice->smoothing_length));
     if (alpha > 0)
         choice->flags |= PAIR_ARTIFICIAL;
     if (strcmp(scene_text(scene, "solver.pressure_form"), "symmetric") == 0)

@@ -197,6 +197,7 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_PRESSURE: cpu_pressure(b); break;
     case PASS_FORCE: cpu_pairs(b, b->force); break;
     case PASS_WALLS: cpu_walls(b); break;
+    case PASS_SHIFT: cpu_shift(b, step); break;
     case PASS_CORRECT: cpu_correct(b, step); break;
     case PASS_FACTOR: cpu_solve(b, step, PAIR_PASS_FACTOR); break;
     case PASS_PUSH: cpu_solve(b, step, PAIR_PASS_PUSH); break;

@@ -7,6 +7,7 @@
 #include "particles/particles.h"
 #include "solver/implicit.h"
 #include "solver/pair_constants.h"
+#include "solver/shift.h"
 
 #include <stdbool.h>
 
@@ -56,6 +57,16 @@ struct solve_work {
     int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
 
+/* What the shifting pass reads and writes besides. */
+struct shift_work {
+    const struct explicit_constants *each;
+    const uint32_t *id;
+    const struct shift *before;
+    struct shift *now;
+    float dt;    /* s */
+    float crowd; /* 1 / w(d) */
+};
+
 /* What a pair pass reads and writes; arrays are those of struct particles. */
 struct pair_work {
     struct pair_constants constants;
@@ -75,6 +86,7 @@ struct pair_work {
     const uint32_t *wall_row_count;
     size_t count;
     const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
+    const struct shift_work *shift;      /* of the shifting pass, or NULL */
 };
 
 typedef void pair_function(const struct pair_work *work, size_t first_block, size_t last_block);
@@ -82,6 +94,7 @@ typedef void pair_function(const struct pair_work *work, size_t first_block, siz
 enum pair_pass {
     PAIR_PASS_DENSITY,
     PAIR_PASS_FORCE,
+    PAIR_PASS_SHIFT,
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */

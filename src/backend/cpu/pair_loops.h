@@ -4,7 +4,7 @@
  * sum does not depend on how many lanes there are. */
 #include "backend/cpu/isa.h"
 
-#include "solver/pair.h"
+#include "solver/pair_shift.h"
 
 #include <math.h>
 
@@ -115,6 +115,13 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     records_load(w->motion + i, lane_ramp, motion);
     p.state.vx = motion[0], p.state.vy = motion[1], p.state.vz = motion[2];
     p.state.pressure = motion[3];
+    p.state.own = motion[3];
+    if (w->shift) {
+        real sh[4]; records_load(w->shift->before + i, lane_ramp, sh);
+        real in = sh[3];
+        if (tune()->tic > 0) p.state.own = motion[3] + in*real_positive(real_set(0)-motion[3]);
+        if (tune()->tic < 0) p.state.own = motion[3] - in*motion[3];
+    }
     p.state.viscosity = flags & PAIR_OWN_VISCOSITY ? real_load(w->viscosity + i) : real_set(0);
     for (int l = 0; l < LANES; l++) {
         rest[l] = w->rest_density[w->fluid ? w->fluid[i + (size_t)l] : 0];
@@ -253,6 +260,7 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
 
 #include "backend/cpu/solve_loops.h"
 #include "backend/cpu/drag_loops.h"
+#include "backend/cpu/shift_loops.h"
 
 static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls)
 {
@@ -266,6 +274,7 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_SWEEP: return cubic ? sweep_cubic : sweep_wendland;
     case PAIR_PASS_DRAG_DIAGONAL: return cubic ? drag_diagonal_cubic : drag_diagonal_wendland;
     case PAIR_PASS_DRAG: return cubic ? drag_cubic : drag_wendland;
+    case PAIR_PASS_SHIFT: return cubic ? shift_cubic : shift_wendland;
     case PAIR_PASS_FORCE: break;
     }
     return walls ? force_walls_table[flags] : force_table[flags];

@@ -30,6 +30,7 @@ void cpu_predict(struct backend *b, struct step *step)
     const struct motion *v0 = p->before[FIELD_MOTION];
     const struct rate *rate = p->before[FIELD_RATE];
     const float *density0 = p->before[FIELD_DENSITY];
+    const struct shift *shift = p->before[FIELD_SHIFT];
     float limit = 0.25f * c->spacing * c->spacing; /* half a spacing */
     struct extremes all = extremes_none();
 #pragma omp parallel
@@ -39,7 +40,8 @@ void cpu_predict(struct backend *b, struct step *step)
         for (size_t i = 0; i < p->count; i++) {
             float density = 0;
             float move2 = explicit_predict(c, particles_fluid(p, i), step->dt, &x0[i], &v0[i],
-                                           &rate[i], density0[i], &particles_position(p)[i],
+                                           &rate[i], density0[i], shift ? shift[i].velocity : NULL,
+                                           &particles_position(p)[i],
                                            &particles_motion(p)[i], &density);
             particles_density(p)[i] = density;
             own.move2 = move2 > own.move2 ? move2 : own.move2;
@@ -108,6 +110,7 @@ void cpu_walls(struct backend *b)
         int fluid = particles_fluid(p, i);
         explicit_walls(c, fluid, &position[i], &particles_motion(p)[i],
                        pushes ? density[i] : c->rest_density[fluid], pushes,
+                       p->now[FIELD_SHIFT] ? (tune()->tic<0?1-((struct shift*)p->before[FIELD_SHIFT])[i].place:tune()->tic>0&&particles_motion(p)[i].pressure<0?1-((struct shift*)p->before[FIELD_SHIFT])[i].place:1):1,
                        &particles_rate(p)[i]);
     }
 }
@@ -152,5 +155,23 @@ void cpu_pair_blocks(struct backend *b, const struct pair_work *work, pair_funct
 void cpu_pairs(struct backend *b, pair_function *pass)
 {
     struct pair_work work = cpu_pair_work(b);
+    struct shift_work shift = {.before=b->particles.before[FIELD_SHIFT]};
+    if (b->choice.shifting && pass==b->force) work.shift=&shift;
     cpu_pair_blocks(b, &work, pass);
+}
+
+void cpu_shift(struct backend *b, const struct step *step)
+{
+    struct particles *p = &b->particles;
+    struct pair_work work = cpu_pair_work(b);
+    struct shift_work shift = {
+        .each = &b->choice.each,
+        .id = particles_id(p),
+        .before = p->before[FIELD_SHIFT],
+        .now = p->now[FIELD_SHIFT],
+        .dt = step->dt,
+        .crowd = b->choice.crowd,
+    };
+    work.shift = &shift;
+    cpu_pair_blocks(b, &work, b->isa->find(PAIR_PASS_SHIFT, b->choice.flags, false));
 }
