@@ -50,6 +50,7 @@ struct solver_choice {
     bool wall_planes, wall_particles;
     struct pair_constants pair;
     struct explicit_constants each;
+    bool enclosed;           /* bodies fill the domain: no free surface */
     bool is_implicit;        /* pressure by solving; particles move last in a step */
     struct implicit_constants implicit;
     struct solve_limits solves[SOLVE_COUNT]; /* by enum solve */
