@@ -19,6 +19,7 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_WARM] = {"warm", "pressures that solves hand on", 3 * sizeof(float), 1},
     [FIELD_SEARCH] = {"search", "search direction, viscosity", 4 * sizeof(float), 0},
     [FIELD_REMAINDER] = {"remainder", "residual of viscosity, drag of planes", 4 * sizeof(float), 0},
+    [FIELD_NORMAL] = {"normal", "normal of the fluid's surface, fluid", 4 * sizeof(float), 0},
 };
 
 enum status particles_create(struct particles *particles, size_t count, unsigned fields,

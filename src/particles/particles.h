@@ -36,6 +36,7 @@ enum field {
     FIELD_WARM,      /* struct warm (solver/implicit.h) */
     FIELD_SEARCH,    /* struct drag (solver/drag.h): search direction of implicit viscosity */
     FIELD_REMAINDER, /* struct drag: its residual */
+    FIELD_NORMAL,    /* struct normal (solver/tension.h) */
     FIELD_COUNT
 };
 

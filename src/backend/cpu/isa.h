@@ -7,6 +7,7 @@
 #include "particles/particles.h"
 #include "solver/implicit.h"
 #include "solver/pair_constants.h"
+#include "solver/tension.h"
 
 #include <stdbool.h>
 
@@ -56,6 +57,14 @@ struct solve_work {
     int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
 
+/* What the passes of surface tension read and write besides. */
+struct tension_work {
+    const struct explicit_constants *each;
+    const struct tension_constants *constants;
+    const float *fluid; /* index per particle; NULL: one fluid */
+    struct normal *normal;
+};
+
 /* What a pair pass reads and writes; arrays are those of struct particles. */
 struct pair_work {
     struct pair_constants constants;
@@ -75,6 +84,7 @@ struct pair_work {
     const uint32_t *wall_row_count;
     size_t count;
     const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
+    const struct tension_work *tension;  /* of the passes of surface tension, or NULL */
 };
 
 typedef void pair_function(const struct pair_work *work, size_t first_block, size_t last_block);
@@ -82,6 +92,8 @@ typedef void pair_function(const struct pair_work *work, size_t first_block, siz
 enum pair_pass {
     PAIR_PASS_DENSITY,
     PAIR_PASS_FORCE,
+    PAIR_PASS_NORMALS, /* writes tension->normal */
+    PAIR_PASS_TENSION, /* adds to rate */
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */
