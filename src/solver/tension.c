@@ -10,16 +10,7 @@ static double floor_ = 0.1;
 
 static double slope(double q)
 {
-    double u = q / 2, t = u < 1 ? 1 - u : 0;
-#if TSHAPE == 1
-    return -u * u * u * t * t;
-#elif TSHAPE == 2
-    return -t * t * u;
-#elif TSHAPE == 3
-    return -u * u * t;
-#else
-    return -u * u * t * t;
-#endif
+    return q < 2 ? kernel_wendland_c2.slope(q) : 0;
 }
 
 /* sums over layers up to `layer` of z slope, x^2 slope */
@@ -45,7 +36,7 @@ double tension_plane_energy(double support, double volume)
         layer_sums(h, layer, &g, &m);
         g /= inside;
         m /= inside;
-        sum += (sqrt(g * g + floor_ * floor_) - floor_) * volume / h * m;
+        double u=(g*g-floor_*floor_)/(3*floor_*floor_); sum += g * (u<0?0:u>1?1:u) / h;
     }
     return sum;
 }
@@ -78,7 +69,7 @@ void tension_choose(const struct scene *scene, struct solver_choice *choice)
     for (size_t f = 0; f < scene->fluid_count; f++) {
         double sigma = scene->fluids[f].surface_tension, rho = scene->fluids[f].density;
         t->any = t->any || sigma > 0;
-        t->strength[f] = (float)(sigma / plane / (h * h * (double)choice->each.mass[f]));
+        t->strength[f] = (float)(sigma / plane / (h * h * rho));
         if (sigma > 0)
             choice->limits.capillary = fmin(choice->limits.capillary,
                                             0.25 * sqrt(rho * h * h * h / (2 * pi * sigma)));
@@ -88,6 +79,7 @@ void tension_choose(const struct scene *scene, struct solver_choice *choice)
     double none, inside;
     layer_sums(h / d, 100, &none, &inside);
     t->gradient = (float)(1 / (volume * inside));
+    t->most = getenv("MOST") ? atof(getenv("MOST")) : 2;
     t->floor = (float)floor_;
     t->floor2 = (float)(floor_ * floor_);
     kernel_plane_table(&kernel_wendland_c2, choice->support / d, &t->planes);

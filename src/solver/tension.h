@@ -19,7 +19,7 @@
 struct tension_constants {
     bool any;                   /* fluid has surface tension */
     float gradient;             /* sigma_W (d/h)^3: h grad c from the sums, V in d^3 */
-    float floor, floor2;               /* (h s)^2 */
+    float floor, floor2, most;               /* (h s)^2 */
     float strength[FLUIDS_MAX]; /* sigma/e / (h^2 m_i/d^3), m^2... times V_i: m/s^2 */
     struct plane_table planes;  /* of the kernel W */
 };
@@ -49,41 +49,42 @@ static inline void tension_wall_gradient(const struct explicit_constants *c,
     }
 }
 
+/* How far a gradient of that square is one of a surface, 0..1. */
+static inline float tension_sure(const struct tension_constants *t, float square)
+{
+    float low = t->floor2, high = 4 * low, u = (square - low) / (high - low);
+    return u < 0 ? 0 : u > 1 ? 1 : u;
+}
+
 static inline struct normal tension_normal(const struct explicit_constants *c,
-                                           const struct tension_constants *t, int fluid,
+                                           const struct tension_constants *t,
                                            const struct position *x, const float sum[3])
 {
-    struct normal n = {{0, 0, 0}, 0}; (void)fluid;
-    float square = t->floor2;
+    struct normal n = {{0, 0, 0}, 0};
+    float square = 0;
     for (int a = 0; a < 3; a++)
         n.along[a] = t->gradient * sum[a];
     tension_wall_gradient(c, t, x, n.along);
     for (int a = 0; a < 3; a++)
         square += n.along[a] * n.along[a];
-    float size = sqrtf(square), front = size > t->floor ? 1 / sqrtf(square - t->floor2) : 0;
-    n.size = size - t->floor;
+    float size = sqrtf(square), one = size > 0 ? 1 / size : 0;
     for (int a = 0; a < 3; a++)
-        n.along[a] *= front;
+        n.along[a] *= one;
+    n.size = tension_sure(t, square) * size;
     return n;
 }
 
-/* Slope of a plane table, 1/q. */
-static inline float tension_plane_slope(const float *table, float q)
-{
-    int k = (int)(q * (PLANE_STEPS / 2));
-    return (table[k + 1] - table[k]) * (PLANE_STEPS / 2);
-}
-
-/* Adds the acceleration of particle i, from sum = sum_j V_j H_ij (n_i - n_j) h^5/sigma_W. */
-static inline void tension_rate(const struct explicit_constants *c,
-                                const struct tension_constants *t, int fluid,
+/* Adds the acceleration by curvature from the sums over neighbours (solver/pair_tension.h). */
+static inline void tension_rate(const struct tension_constants *t, int fluid,
                                 const struct position *x, const struct normal *n,
-                                const float sum[3], struct rate *rate)
+                                const float sum[2], struct rate *rate)
 {
-    float front = t->strength[fluid] * x->volume, open[3];
+    float curvature = sum[1] < -1e-12f ? -2 * sum[0] / sum[1] : 0; /* times h */
+    curvature = curvature > t->most ? t->most : curvature < -t->most ? -t->most : curvature;
+    (void)x;
+    float size = t->strength[fluid] * curvature * n->size;
     for (int a = 0; a < 3; a++)
-        rate->acceleration[a] += front * (t->gradient * sum[a]);
-    (void)n; (void)open; (void)c;
+        rate->acceleration[a] += size * n->along[a];
 }
 
 #endif

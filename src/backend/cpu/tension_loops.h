@@ -27,7 +27,7 @@ FORCE_INLINE void normals_row(const struct pair_work *w, const struct lane_point
 }
 
 FORCE_INLINE void tension_row(const struct pair_work *w, const struct lane_point *point, size_t i,
-                              const real self[4], real sum[3])
+                              const real self[4], real sum[2])
 {
     const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
     const float *fluid = w->tension->fluid;
@@ -41,25 +41,22 @@ FORCE_INLINE void tension_row(const struct pair_work *w, const struct lane_point
         struct pair p = pair_between(point, other);
         if (fluid)
             other[3] = other[3] * pair_same(own, lookup_load(fluid, index));
-        pair_tension(sum, &p, other[3], self, normal);
+        pair_curvature(sum, &p, other[3], self, normal);
     }
 }
 
-/* Wall particles belong to every fluid and have no normal; with `normal` the second pass. */
-FORCE_INLINE void tension_wall_row(const struct pair_work *w, const struct lane_point *point,
-                                   size_t i, const real *normal, real sum[3])
+/* Wall particles belong to every fluid. */
+FORCE_INLINE void normals_wall_row(const struct pair_work *w, const struct lane_point *point,
+                                   size_t i, real sum[3])
 {
     const uint32_t *row = w->wall_rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
     uint32_t length = longest(w->wall_row_count + i);
     for (uint32_t k = 0; k < length; k++) {
-        real other[4], far = real_set(16), zero = real_set(0), none[4] = {zero, zero, zero, zero};
+        real other[4], far = real_set(16);
         records_load(w->wall, row + (size_t)k * PARTICLE_BLOCK, other);
         struct pair p = pair_between(point, other);
         p.q = real_below(k, w->wall_row_count + i, p.q, far);
-        if (normal)
-            pair_tension(sum, &p, other[3], normal, none);
-        else
-            pair_normal(sum, &p, other[3]);
+        pair_normal(sum, &p, other[3]);
     }
 }
 
@@ -72,13 +69,12 @@ static void normals_blocks(const struct pair_work *w, size_t first_block, size_t
         struct lane_point point = point_load(w, i, &volume);
         normals_row(w, &point, i, sum);
         if (w->wall)
-            tension_wall_row(w, &point, i, NULL, sum);
+            normals_wall_row(w, &point, i, sum);
         for (int a = 0; a < 3; a++)
             real_store(out[a], sum[a]);
         for (size_t l = 0; l < LANES && i + l < w->count; l++) {
             float own[3] = {settled(out[0][l]), settled(out[1][l]), settled(out[2][l])};
-            t->normal[i + l] = tension_normal(t->each, t->constants, tension_fluid(w, i + l),
-                                              &w->position[i + l], own);
+            t->normal[i + l] = tension_normal(t->each, t->constants, &w->position[i + l], own);
         }
     }
 }
@@ -87,18 +83,16 @@ static void tension_blocks(const struct pair_work *w, size_t first_block, size_t
 {
     const struct tension_work *t = w->tension;
     for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
-        real volume, self[4], zero = real_set(0), sum[3] = {zero, zero, zero};
-        float out[3][LANES];
+        real volume, self[4], zero = real_set(0), sum[2] = {zero, zero};
+        float out[2][LANES];
         struct lane_point point = point_load(w, i, &volume);
         records_load(t->normal + i, lane_ramp, self);
         tension_row(w, &point, i, self, sum);
-        if (w->wall)
-            tension_wall_row(w, &point, i, self, sum);
-        for (int a = 0; a < 3; a++)
-            real_store(out[a], sum[a]);
+        real_store(out[0], sum[0]);
+        real_store(out[1], sum[1]);
         for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-            float own[3] = {settled(out[0][l]), settled(out[1][l]), settled(out[2][l])};
-            tension_rate(t->each, t->constants, tension_fluid(w, i + l), &w->position[i + l],
+            float own[2] = {settled(out[0][l]), settled(out[1][l])};
+            tension_rate(t->constants, tension_fluid(w, i + l), &w->position[i + l],
                          &t->normal[i + l], own, &w->rate[i + l]);
         }
     }
