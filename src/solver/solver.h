@@ -90,10 +90,6 @@ void tension_choose(const struct scene *scene, struct solver_choice *choice);
 void external_choose(const struct scene *scene, const struct space *space,
                      const double *fluid_volume, struct solver_choice *choice);
 
-/* sum V_i (sqrt(|grad c_i|^2 + s^2) - s) of a plane surface of unit area (solver/tension.h), for a
- * support in spacings and particles of `volume` d^3. */
-double tension_plane_energy(double support, double volume);
-
 /* Mass of all fluids over their volume, kg/m^3. */
 double external_mean_density(const struct scene *scene, const double *fluid_volume);
 

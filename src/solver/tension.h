@@ -1,16 +1,16 @@
-/* Surface tension by the energy of each fluid's surface.
+/* Surface tension as the pressure sigma kappa that acts on a fluid's surface (continuum surface force:
+ * Brackbill et al. 1992, Morris 2000), in the terms of the pressure force, so that it balances.
  *
- * With c the smoothed indicator of particle i's own fluid, grad c_i = sum_j V_j grad W_ij, the integral
- * of |grad c| across a plane surface is 1, and 1/2 on the side where particles are. So
- *   E = (sigma/e) sum_i V_i (sqrt(|grad c_i|^2 + s^2) - s)
- * is sigma times the area, e being that sum for a plane surface of area 1 on the lattice: the only
- * calibration. The small s lets the disorder of the inside pass for no surface. The force is exactly
- * -dE/dx_i at fixed V:
- *   F_i = -(sigma/e) V_i sum_j V_j H_ij (n_i - n_j),   n = grad c / sqrt(|grad c|^2 + s^2)
- * H the second derivatives of W, so that linear and angular momentum are conserved to rounding, and a
- * plane surface feels nothing. Walls belong to every fluid (contact angle 90 degrees). Where two
- * fluids meet each has its own surface: their tensions add. W is Wendland C2 on the solver's support.
- * In the common subset of C and CUDA. */
+ * With c the smoothed indicator of particle i's own fluid, three passes sum over neighbours:
+ *   grad c_i = sum_j V_j grad W_ij,   n = grad c / |grad c|
+ *   kappa_i  = sum_j V_j s_j W'/r (n_i - n_j).x_ij / sum_j V_j s_j W'/r |x_ij - n_i (n_i.x_ij)|^2 / 2
+ *   a_i      = 2 sigma/rho_i <kappa>_i grad c_i,   <kappa> the mean of kappa_j weighed by V_j s_j W_ij
+ * s_j is 0 inside and 1 at the surface, by |grad c|. The pressure force of particles that all have the
+ * pressure p is -2 p grad c_i/rho_i for any arrangement: a drop of uniform curvature is still,
+ * particle by particle, with p = sigma kappa, and its momentum is kept to rounding; elsewhere as far
+ * as kappa changes little within h. Curvature is that of the particles, half a spacing inside the
+ * surface, and is taken out to it. Walls belong to every fluid (contact angle 90 degrees). Where two
+ * fluids meet each has its own surface: their tensions add. In the common subset of C and CUDA. */
 #ifndef SOLVER_TENSION_H
 #define SOLVER_TENSION_H
 
@@ -18,22 +18,22 @@
 
 struct tension_constants {
     bool any;                   /* fluid has surface tension */
-    float gradient;             /* sigma_W (d/h)^3: h grad c from the sums, V in d^3 */
-    float floor, floor2, most;               /* (h s)^2 */
-    float strength[FLUIDS_MAX]; /* sigma/e / (h^2 m_i/d^3), m^2... times V_i: m/s^2 */
-    struct plane_table planes;  /* of the kernel W */
+    float gradient;             /* h times that of struct pair_constants */
+    float low, scale;           /* s is 0 below (h |grad c|)^2 = low, 1 above low + 1/scale */
+    float most;                 /* |kappa| h that particles resolve */
+    float depth;                /* of surface particles below the surface, over h */
+    float strength[FLUIDS_MAX]; /* 2 sigma/h^2, Pa/m */
 };
 
-/* What the second pass reads of a neighbour. */
+/* What the later passes read of a neighbour. */
 struct normal {
     float along[3]; /* n, into the fluid */
-    float size;     /* h (sqrt(|grad c|^2 + s^2) - s) */
+    float size;     /* h |grad c| */
 };
 
-/* h grad c of the closed planes, as if fluid stood behind them. */
-static inline void tension_wall_gradient(const struct explicit_constants *c,
-                                         const struct tension_constants *t,
-                                         const struct position *x, float gradient[3])
+/* h grad c of the closed planes, as if fluid stood behind them: what they push with in explicit_walls. */
+static inline void tension_walls(const struct explicit_constants *c, const struct position *x,
+                                 float gradient[3])
 {
     float open[3];
     if (!explicit_open(c, x, open))
@@ -44,45 +44,44 @@ static inline void tension_wall_gradient(const struct explicit_constants *c,
         if (count >= c->near[n])
             continue;
         float part = open[(n + 1) % 3] * open[(n + 2) % 3];
-        float area = part * plane_value(t->planes.area, (float)count * c->q_per_count[n]);
+        float area = c->normal * part *
+                     plane_value(c->planes.area, (float)count * c->q_per_count[n]);
         gradient[n] += face & 1 ? area : -area;
     }
 }
 
-/* How far a gradient of that square is one of a surface, 0..1. */
-static inline float tension_sure(const struct tension_constants *t, float square)
-{
-    float low = t->floor2, high = 4 * low, u = (square - low) / (high - low);
-    return u < 0 ? 0 : u > 1 ? 1 : u;
-}
-
+/* From sum = sum V_j W'/r x. */
 static inline struct normal tension_normal(const struct explicit_constants *c,
                                            const struct tension_constants *t,
                                            const struct position *x, const float sum[3])
 {
-    struct normal n = {{0, 0, 0}, 0};
+    struct normal n;
     float square = 0;
     for (int a = 0; a < 3; a++)
         n.along[a] = t->gradient * sum[a];
-    tension_wall_gradient(c, t, x, n.along);
+    tension_walls(c, x, n.along);
     for (int a = 0; a < 3; a++)
         square += n.along[a] * n.along[a];
-    float size = sqrtf(square), one = size > 0 ? 1 / size : 0;
+    n.size = sqrtf(square);
     for (int a = 0; a < 3; a++)
-        n.along[a] *= one;
-    n.size = tension_sure(t, square) * size;
+        n.along[a] = n.size > 0 ? n.along[a] / n.size : 0;
     return n;
 }
 
-/* Adds the acceleration by curvature from the sums over neighbours (solver/pair_tension.h). */
-static inline void tension_rate(const struct tension_constants *t, int fluid,
-                                const struct position *x, const struct normal *n,
-                                const float sum[2], struct rate *rate)
+/* h kappa at the surface, from the two sums; below zero by rounding, or without neighbours, it is 0. */
+static inline float tension_curvature(const struct tension_constants *t, float turn, float spread)
 {
-    float curvature = sum[1] < -1e-12f ? -2 * sum[0] / sum[1] : 0; /* times h */
-    curvature = curvature > t->most ? t->most : curvature < -t->most ? -t->most : curvature;
-    (void)x;
-    float size = t->strength[fluid] * curvature * n->size;
+    float k = spread < -1e-6f ? -2 * turn / spread : 0;
+    k = k > t->most ? t->most : k < -t->most ? -t->most : k;
+    return k / (1 + t->depth * k);
+}
+
+/* From the sums of V_j s_j w, alone and times h kappa_j. */
+static inline void tension_rate(const struct tension_constants *t, int fluid, float density,
+                                const struct normal *n, float weight, float sum,
+                                struct rate *rate)
+{
+    float size = weight > 1e-6f ? t->strength[fluid] / density * n->size * (sum / weight) : 0;
     for (int a = 0; a < 3; a++)
         rate->acceleration[a] += size * n->along[a];
 }

@@ -1,29 +1,21 @@
 /* Optional accelerations on the cpu: surface tension, central force, buoyancy, dissipation. */
 #include "backend/cpu/cpu.h"
 
-static void run_tension(struct backend *b, enum pair_pass pass)
+void cpu_tension(struct backend *b, enum pair_pass pass)
 {
+    const struct particles *p = &b->particles;
     struct tension_work tension = {
         .each = &b->choice.each,
         .constants = &b->choice.tension,
         .fluid = b->fluid,
-        .normal = b->particles.now[FIELD_NORMAL],
+        .normal = p->now[FIELD_NORMAL],
+        .curvature = p->now[FIELD_CURVATURE],
     };
     struct pair_work work = cpu_pair_work(b);
     work.tension = &tension;
+    for (size_t i = 0; pass == PAIR_PASS_NORMALS && b->fluid && i < p->count; i++)
+        b->fluid[i] = (float)particles_fluid(p, i); /* in the present order */
     cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, b->wall.count > 0));
-}
-
-void cpu_normals(struct backend *b)
-{
-    for (size_t i = 0; b->fluid && i < b->particles.count; i++) /* in their present order */
-        b->fluid[i] = (float)particles_fluid(&b->particles, i);
-    run_tension(b, PAIR_PASS_NORMALS);
-}
-
-void cpu_tension(struct backend *b)
-{
-    run_tension(b, PAIR_PASS_TENSION);
 }
 
 void cpu_external(struct backend *b, const struct step *step)
