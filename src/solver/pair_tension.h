@@ -51,4 +51,17 @@ static inline __attribute__((always_inline)) void pair_tension(real sum[2], cons
     sum[1] = real_fma(weight, curvature, sum[1]);
 }
 
+/* sum V_j (s_i + s_j) W'/r (v_ij.x) x/r^2. */
+static inline __attribute__((always_inline)) void pair_ripple(real sum[3], const struct pair *p,
+                                                              real weight, const real i[4],
+                                                              const real j[4], unsigned flags)
+{
+    real vx = i[0] - j[0], vy = i[1] - j[1], vz = i[2] - j[2];
+    real dot = real_fma(vz, p->z, real_fma(vy, p->y, vx * p->x)) * p->inverse;
+    real drag = (weight * pair_slope(p, flags)) * (dot * p->inverse);
+    sum[0] = real_fma(drag, p->x, sum[0]);
+    sum[1] = real_fma(drag, p->y, sum[1]);
+    sum[2] = real_fma(drag, p->z, sum[2]);
+}
+
 #endif

@@ -33,6 +33,7 @@ void tension_choose(const struct scene *scene, struct solver_choice *choice)
     for (size_t f = 0; f < scene->fluid_count; f++) {
         double sigma = scene->fluids[f].surface_tension, rho = scene->fluids[f].density;
         t->any = t->any || sigma > 0;
+        t->ripple[f] = (float)(env("BETA", 0.3) * sqrt(rho * sigma * h) * choice->pair.gradient / h);
         t->strength[f] = (float)(2 * sigma / (h * h));
         if (sigma > 0)
             choice->limits.capillary = fmin(choice->limits.capillary,

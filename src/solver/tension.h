@@ -22,7 +22,7 @@ struct tension_constants {
     float low, scale;           /* s is 0 below (h |grad c|)^2 = low, 1 above low + 1/scale */
     float most;                 /* |kappa| h that particles resolve */
     float depth;                /* of surface particles below the surface, over h */
-    float strength[FLUIDS_MAX]; /* 2 sigma/h^2, Pa/m */
+    float ripple[FLUIDS_MAX], strength[FLUIDS_MAX]; /* 2 sigma/h^2, Pa/m */
 };
 
 /* What the later passes read of a neighbour. */

@@ -66,12 +66,13 @@ FORCE_INLINE void normals_blocks(const struct pair_work *w, size_t first_block, 
 
 /* Rows of the second pass, or with `smooth` of the third. */
 FORCE_INLINE void surface_row(const struct pair_work *w, const struct lane_point *point, size_t i,
-                              const real self[4], bool smooth, real sum[2], const unsigned flags)
+                              const real self[4], bool smooth, const real v[4], real sum[5], const unsigned flags)
 {
     const uint32_t *row = w->rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
     const struct tension_work *t = w->tension;
     real own = t->fluid ? real_load(t->fluid + i) : real_set(0), far = real_set(16);
     real low = real_set(t->constants->low), scale = real_set(t->constants->scale);
+    real mine = pair_surface(self[3], low, scale);
     uint32_t length = longest(w->row_count + i);
     for (uint32_t k = 0; k < length; k++) {
         const uint32_t *index = row + (size_t)k * PARTICLE_BLOCK;
@@ -79,12 +80,15 @@ FORCE_INLINE void surface_row(const struct pair_work *w, const struct lane_point
         records_load(w->position, index, other);
         records_load(t->normal, index, normal);
         struct pair p = pair_between(point, other);
-        real weight = tension_volume(t->fluid, own, index, other[3]) *
-                      pair_surface(normal[3], low, scale);
+        real volume = tension_volume(t->fluid, own, index, other[3]);
+        real surface = pair_surface(normal[3], low, scale), weight = volume * surface;
         if (smooth) {
             p.q = real_below(k, w->row_count + i, p.q, far);
             p.q2 = real_below(k, w->row_count + i, p.q2, far);
             pair_tension(sum, &p, weight, lookup_load(t->curvature, index), flags);
+            real vj[4];
+            records_load(w->motion, index, vj);
+            pair_ripple(sum + 2, &p, volume * (surface + mine), v, vj, flags);
         } else {
             pair_curvature(sum, &p, weight, self, normal, flags);
         }
@@ -100,7 +104,7 @@ FORCE_INLINE void curvature_blocks(const struct pair_work *w, size_t first_block
         float out[2][LANES];
         struct lane_point point = point_load(w, i, &volume);
         records_load(t->normal + i, lane_ramp, self);
-        surface_row(w, &point, i, self, false, sum, flags);
+        surface_row(w, &point, i, self, false, self, sum, flags);
         real_store(out[0], sum[0]);
         real_store(out[1], sum[1]);
         for (size_t l = 0; l < LANES && i + l < w->count; l++)
@@ -115,21 +119,24 @@ FORCE_INLINE void tension_blocks(const struct pair_work *w, size_t first_block, 
     const struct tension_work *t = w->tension;
     real low = real_set(t->constants->low), scale = real_set(t->constants->scale);
     for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
-        real volume, self[4], sum[2];
-        float out[2][LANES];
+        real volume, zero = real_set(0), self[4], v[4], sum[5] = {zero, zero, zero, zero, zero};
+        float out[5][LANES];
+        records_load(w->motion + i, lane_ramp, v);
         struct lane_point point = point_load(w, i, &volume);
         records_load(t->normal + i, lane_ramp, self);
         sum[0] = volume * pair_surface(self[3], low, scale); /* w(0) = 1 */
         sum[1] = sum[0] * real_load(t->curvature + i);
-        surface_row(w, &point, i, self, true, sum, flags);
-        real_store(out[0], sum[0]);
-        real_store(out[1], sum[1]);
+        surface_row(w, &point, i, self, true, v, sum, flags);
+        for (int a = 0; a < 5; a++)
+            real_store(out[a], sum[a]);
         for (size_t l = 0; l < LANES && i + l < w->count; l++) {
             size_t k = i + l;
             int fluid = w->fluid ? w->fluid[k] : 0;
             float density = w->density ? w->density[k] : w->rest_density[fluid];
             tension_rate(t->constants, fluid, density, &t->normal[k], settled(out[0][l]),
                          settled(out[1][l]), &w->rate[k]);
+            for (int a = 0; a < 3; a++)
+                w->rate[k].acceleration[a] += t->constants->ripple[fluid] / density * settled(out[2 + a][l]);
         }
     }
 }
