@@ -37,7 +37,6 @@ enum field {
     FIELD_SEARCH,    /* struct drag (solver/drag.h): search direction of implicit viscosity */
     FIELD_REMAINDER, /* struct drag: its residual */
     FIELD_NORMAL,    /* struct normal (solver/tension.h) */
-    FIELD_CURVATURE, /* float, h times curvature of the surface near */
     FIELD_COUNT
 };
 

@@ -37,9 +37,8 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
         return !c->is_implicit || applied;
     case PASS_NORMALS:
         if (!c->tension.any)
-            omit(plan, "passes normals, curvature, tension: every fluid has surface tension 0");
+            omit(plan, "passes normals, tension: every fluid has surface tension 0");
         return c->tension.any;
-    case PASS_CURVATURE:
     case PASS_TENSION:
         return c->tension.any;
     case PASS_EXTERNAL:

@@ -16,7 +16,6 @@ enum {
     SEARCH = FIELD_BIT(FIELD_SEARCH),
     REMAINDER = FIELD_BIT(FIELD_REMAINDER),
     NORMAL = FIELD_BIT(FIELD_NORMAL),
-    CURVATURE = FIELD_BIT(FIELD_CURVATURE),
 };
 
 const struct pass_row pass_table[PASS_COUNT] = {
@@ -31,15 +30,13 @@ const struct pass_row pass_table[PASS_COUNT] = {
                        POSITION | DENSITY, POSITION | MOTION | DENSITY},
     [PASS_FORCE] = {PASS_FORCE, PASS_PAIR, "force", "acceleration and density rate",
                     POSITION | MOTION | DENSITY, RATE},
-    [PASS_NORMALS] = {PASS_NORMALS, PASS_PAIR, "normals", "gradient of each fluid's indicator",
+    [PASS_NORMALS] = {PASS_NORMALS, PASS_PAIR, "normals", "normals of each fluid's surface",
                       POSITION, NORMAL},
-    [PASS_CURVATURE] = {PASS_CURVATURE, PASS_PAIR, "curvature", "curvature of surfaces",
-                        POSITION | NORMAL, CURVATURE},
     [PASS_EXTERNAL] = {PASS_EXTERNAL, PASS_EACH, "external",
                        "gravity where no force pass adds it, central force, buoyancy, dissipation",
                        POSITION | MOTION, RATE},
-    [PASS_TENSION] = {PASS_TENSION, PASS_PAIR, "tension", "surface tension",
-                      POSITION | DENSITY | NORMAL | CURVATURE, RATE},
+    [PASS_TENSION] = {PASS_TENSION, PASS_PAIR, "tension", "surface tension by curvature",
+                      POSITION | NORMAL, RATE},
     [PASS_WALLS] = {PASS_WALLS, PASS_EACH, "walls", "half spaces behind closed faces",
                     POSITION | MOTION | DENSITY, RATE},
     [PASS_CORRECT] = {PASS_CORRECT, PASS_EACH, "correct", "second half kick; extremes",

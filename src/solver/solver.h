@@ -55,6 +55,7 @@ struct solver_choice {
     struct explicit_constants each;
     struct tension_constants tension;
     struct external_constants external;
+    double ripple;           /* viscous pressure per speed that ripples of tension need, Pa s/m */
     bool starts_rate;        /* no force pass: the external pass begins with gravity */
     double pull;             /* largest expected acceleration by the central force, m/s^2 */
     bool is_implicit;        /* pressure by solving; particles move last in a step */
@@ -89,6 +90,10 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
 void tension_choose(const struct scene *scene, struct solver_choice *choice);
 void external_choose(const struct scene *scene, const struct space *space,
                      const double *fluid_volume, struct solver_choice *choice);
+
+/* Sum over the depth of a plane surface on the lattice of what tension takes for |grad c|
+ * (solver/tension.h), for a support in spacings. */
+double tension_plane(double support);
 
 /* Mass of all fluids over their volume, kg/m^3. */
 double external_mean_density(const struct scene *scene, const double *fluid_volume);

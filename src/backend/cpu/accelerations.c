@@ -9,7 +9,6 @@ void cpu_tension(struct backend *b, enum pair_pass pass)
         .constants = &b->choice.tension,
         .fluid = b->fluid,
         .normal = p->now[FIELD_NORMAL],
-        .curvature = p->now[FIELD_CURVATURE],
     };
     struct pair_work work = cpu_pair_work(b);
     work.tension = &tension;

@@ -63,7 +63,6 @@ struct tension_work {
     const struct tension_constants *constants;
     const float *fluid; /* index per particle; NULL: one fluid */
     struct normal *normal;
-    float *curvature;
 };
 
 /* What a pair pass reads and writes; arrays are those of struct particles. */
@@ -93,8 +92,7 @@ typedef void pair_function(const struct pair_work *work, size_t first_block, siz
 enum pair_pass {
     PAIR_PASS_DENSITY,
     PAIR_PASS_FORCE,
-    PAIR_PASS_NORMALS,   /* writes tension->normal */
-    PAIR_PASS_CURVATURE, /* writes tension->curvature */
+    PAIR_PASS_NORMALS, /* writes tension->normal */
     PAIR_PASS_TENSION, /* adds to rate */
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
