@@ -28,7 +28,6 @@ struct step {
     enum solve solve;         /* which solve the loop belongs to */
     float relax;              /* times the solver's relaxation */
     float momentum;           /* of its sweeps */
-    bool enclosed;            /* no fluid is loose: its mean density cannot change */
     float target;             /* density ratio to aim at */
     float offset;             /* mean compression of the last sweep, where enclosed */
     float resume;             /* part of the last step's shift that the next starts from */

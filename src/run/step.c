@@ -24,7 +24,7 @@ static bool sweep_again(struct simulation *s, const struct step *step, int sweep
     bool ended = sweeps >= limit->most || !isfinite(step->residual);
     if (ended && !solved)
         stats->unsolved++;
-    if (step->enclosed && step->solve == SOLVE_SHIFT)
+    if (s->plan->choice.enclosed && step->solve == SOLVE_SHIFT)
         return sweeps < ENCLOSED_SWEEPS;
     return sweeps < limit->least || (!ended && !solved);
 }

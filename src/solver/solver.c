@@ -152,6 +152,17 @@ static void choose_scales(const struct scene *scene, const struct space *space,
     kernel_plane_table(choice->kernel, choice->support / d, &choice->each.planes);
 }
 
+/* Whether the bodies fill the domain. */
+static bool is_enclosed(const struct scene *scene, const double *fluid_volume)
+{
+    double fluid = 0, domain = 1;
+    for (size_t f = 0; f < scene->fluid_count; f++)
+        fluid += fluid_volume[f];
+    for (int a = 0; a < 3; a++)
+        domain *= scene->domain.max[a] - scene->domain.min[a];
+    return fluid > 0.98 * domain;
+}
+
 /* What velocity takes back of a density error is a part in each step: in steps that the scene makes
  * short it would be speed without bound. */
 static void choose_restore(const struct scene *scene, struct solver_choice *choice)
@@ -172,6 +183,7 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     choice->spacing = scene->particles.spacing;
     choice->smoothing_length = choice->support / 2;
     choice->flags = choice->kernel->flag;
+    choice->enclosed = is_enclosed(scene, fluid_volume);
     expect(scene, choice);
     expect_driven(scene, choice);
     choose_walls(scene, space, choice);

@@ -58,6 +58,7 @@ struct solver_choice {
     double ripple;           /* viscous pressure per speed that ripples of tension need, Pa s/m */
     bool starts_rate;        /* no force pass: the external pass begins with gravity */
     double pull;             /* largest expected acceleration by the central force, m/s^2 */
+    bool enclosed;           /* bodies fill the domain: no free surface */
     bool is_implicit;        /* pressure by solving; particles move last in a step */
     struct implicit_constants implicit;
     struct solve_limits solves[SOLVE_COUNT]; /* by enum solve */

@@ -23,25 +23,23 @@ static void mean_residual(const struct backend *b, struct step *step)
         signed_sum += b->residual[2 * k + 1];
     }
     step->residual = (double)error * one;
-    step->offset = step->enclosed && step->solve == SOLVE_VELOCITY ? (float)((double)signed_sum * one) : 0;
+    step->offset = b->choice.enclosed && step->solve == SOLVE_VELOCITY ? (float)((double)signed_sum * one) : 0;
 }
 
-/* Whether hardly any fluid is loose, and the density ratio to aim at. */
+/* The density ratio to aim at: where fluid fills the domain its mean cannot change. */
 static void find_target(const struct backend *b, struct step *step)
 {
     const struct factor *factor = b->particles.now[FIELD_FACTOR];
-    float least = 1 - b->choice.implicit.slack;
-    int64_t sum = 0, loose = 0;
-#pragma omp parallel for schedule(static) reduction(+ : sum, loose)
+    int64_t sum = 0;
+    step->target = 1;
+    if (!b->choice.enclosed || b->particles.count == 0)
+        return;
+#pragma omp parallel for schedule(static) reduction(+ : sum)
     for (size_t i = 0; i < b->particles.count; i++) {
         float excess = factor[i].ratio - 1;
         sum += (int64_t)((excess > 1 ? 1 : excess < -1 ? -1 : excess) * 0x1p40f);
-        loose += factor[i].ratio < least;
     }
-    step->enclosed = 100 * loose < (int64_t)b->particles.count; /* spray is no surface */
-    step->target = 1;
-    if (step->enclosed)
-        step->target += (float)((double)sum * 0x1p-40 / (double)b->particles.count);
+    step->target += (float)((double)sum * 0x1p-40 / (double)b->particles.count);
 }
 
 /* In the present order of the particles. */
