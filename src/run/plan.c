@@ -240,6 +240,10 @@ static enum status plan_particles(struct plan *plan, struct error *e)
         return e->status;
     start_count(scene, &plan->bodies, volume, particles);
     solver_choose(plan->solver, scene, &plan->space, volume, particles, &plan->choice);
+    if (plan->choice.is_implicit && plan->choice.tension.any) /* it scatters drops, measured */
+        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use wcsph, or "
+                         "set fluids[].surface_tension to 0", scene->source,
+                         plan->solver->variant.name);
     return check_periods(plan, e);
 }
 
