@@ -187,6 +187,10 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     static const size_t particles[FLUIDS_MAX];
     struct plan trial = *plan;
     solver_choose(plan->solver, plan->scene, &plan->space, volume, particles, &trial.choice);
+    if (trial.choice.is_implicit && trial.choice.tension.any) /* drops scatter, as measured */
+        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use wcsph, "
+                         "or set fluids[].surface_tension to 0", plan->scene->source,
+                         plan->solver->variant.name);
     plan_passes(&trial);
     plan_color(&trial, options);
     plan_fields(&trial);
@@ -240,10 +244,6 @@ static enum status plan_particles(struct plan *plan, struct error *e)
         return e->status;
     start_count(scene, &plan->bodies, volume, particles);
     solver_choose(plan->solver, scene, &plan->space, volume, particles, &plan->choice);
-    if (plan->choice.is_implicit && plan->choice.tension.any) /* it scatters drops, measured */
-        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use wcsph, or "
-                         "set fluids[].surface_tension to 0", scene->source,
-                         plan->solver->variant.name);
     return check_periods(plan, e);
 }
 
