@@ -68,7 +68,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     choice->implicit.omega = (float)(DFSPH_WINDOW_PART * 2 / radius);
     choice->implicit.pressure = (float)choice->moment;
     choice->implicit.most = 0.02f;
-    choice->implicit.slack = 0.03f;
+    choice->implicit.slack = choice->enclosed ? 1 : 0.03f; /* nothing is loose there */
     choice->implicit.restore = 0.03f;
     for (size_t f = 0; f < scene->fluid_count; f++)
         choice->implicit.volume[f] = choice->each.mass[f] / choice->each.rest_density[f];
