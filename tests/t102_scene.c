@@ -32,7 +32,7 @@ static const struct { const char *text, *place, *says; } refused[] = {
     {SCENE_HEAD "\"fluids\": [{\"densty\": 1}],\n" SCENE_END, ":2:13:", "\"fluids.0.density\"?"},
     {WITH("\"gravty\": [0, 0, 0]"), ":3:2:", "did you mean \"gravity\"?"},
     {WITH("\"spacing\": 0.1"), ":3:2:", "\"particles.spacing\"?"},
-    {WITH("\"zzz\": 1"), ":3:2:", "known here: title, gravity, domain"},
+    {WITH("\"zzz\": 1"), ":3:2:", "known here: title, gravity, central_force"},
     {WITH("\"title\": \"a\", \"title\": \"b\""), ":3:16:", "said twice"},
     {WITH("\"title\": 3"), ":3:11:", "title must be a string, not 3"},
     {WITH("\"gravity\": [0, 0]"), ":3:13:", "array of 3 numbers"},

@@ -57,6 +57,15 @@ code 4 "Broken pipe" "a reader of hashes that leaves"
 timeout 20 "$SPH" $endless -o null --report "$work/no/r.json" >"$work/out" 2>&1; rc=$?
 code 4 "create it first" "a report in no directory"
 
+# end SIGNAL: sends it to $pid, which ends, with $rc; one that comes before the handlers is sent again
+end() {
+    (sleep 30; kill -"$1" $pid; sleep 30; kill -KILL $pid) >/dev/null 2>&1 &
+    again=$!
+    kill -"$1" $pid
+    wait $pid; rc=$?
+    kill $again 2>/dev/null
+}
+
 # Threads wait politely unless the caller has settings of their own.
 # spin NAME=VALUE...: the spin count of a run with these in its environment
 spin() {
@@ -64,8 +73,7 @@ spin() {
     pid=$!
     sleep 1
     tr '\0' '\n' <"/proc/$pid/environ" | sed -n 's/^GOMP_SPINCOUNT=//p'
-    kill -INT $pid
-    wait $pid
+    end INT
 }
 [ "$(spin SPH_UNUSED=1)" = 30000 ]; result $? "threads spin briefly"
 [ "$(spin OMP_WAIT_POLICY=passive)" = "" ]; result $? "OMP_WAIT_POLICY of the caller stays"
@@ -78,9 +86,7 @@ stop() {
     "$SPH" $endless "$@" >"$work/out" 2>&1 &
     pid=$!
     sleep 2
-    kill -"$signal" $pid
-    wait $pid
-    rc=$?
+    end "$signal"
 }
 for signal in INT TERM HUP; do
     stop $signal -o null --report "$work/r.json"
@@ -109,8 +115,7 @@ if $draws; then
         sleep 2
         timeout 20 "$SPH" $small -o "$work/../$(basename "$work")/$name" >"$work/out" 2>&1; rc=$?
         code 4 "is being written already" "$name, written by two runs"
-        kill -INT $pid
-        wait $pid; rc=$?
+        end INT
         code 130 "" "$name, the first of two runs"
         ls "$work" | grep -qE '\.(part|lock)$'
         [ $? = 1 ]; result $? "$name: nothing but the film is left"

@@ -20,6 +20,7 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_SEARCH] = {"search", "search direction, viscosity", 4 * sizeof(float), 0},
     [FIELD_SHIFT] = {"shift", "velocity of shifting, nearness of a surface", 4 * sizeof(float), 2},
     [FIELD_REMAINDER] = {"remainder", "residual of viscosity, drag of planes", 4 * sizeof(float), 0},
+    [FIELD_NORMAL] = {"normal", "normal of the fluid's surface", 4 * sizeof(float), 0},
 };
 
 enum status particles_create(struct particles *particles, size_t count, unsigned fields,

@@ -4,6 +4,8 @@
 #include "particles/flows.h"
 #include "particles/hydrostatic.h"
 
+#include <math.h>
+
 void start_count(const struct scene *scene, const struct fill *fill, double *fluid_volume,
                  size_t *fluid_particles)
 {
@@ -34,16 +36,39 @@ static void place(const struct space *space, const struct fill *fill, struct par
     }
 }
 
+/* Pressure of a round body about which nothing stands: by surface tension, 2 sigma/R of a sphere and
+ * sigma/R of a cylinder, and by a central force about its middle, rho Omega^2 (R^2 - r^2)/2. */
+static double round_pressure(const struct scene *scene, const struct space *space,
+                             const struct scene_body *body, const double x[3])
+{
+    const struct scene_fluid *fluid = &scene->fluids[body->fluid];
+    double omega = scene->central_force.frequency, left = body->radius * body->radius;
+    bool sphere = body->shape == BODY_SPHERE, centred = true;
+    if (body->shape == BODY_BOX)
+        return 0;
+    for (int a = 0; a < 3; a++) {
+        bool across = sphere || a != body->axis;
+        centred = centred && (across ? body->center[a] == scene->central_force.center[a] &&
+                                           !space->periodic[a]
+                                     : space->periodic[a]);
+        left -= across ? (x[a] - body->center[a]) * (x[a] - body->center[a]) : 0;
+    }
+    double pressure = (sphere ? 2 : 1) * fluid->surface_tension / body->radius;
+    return pressure + (centred ? fluid->density * omega * omega * fmax(left, 0) / 2 : 0);
+}
+
 /* Velocity and pressure of the particle at fill point i. */
-static struct motion motion_at(const struct scene *scene, const struct hydrostatic *hydrostatic,
-                               const struct fill *fill, size_t i)
+static struct motion motion_at(const struct scene *scene, const struct space *space,
+                               const struct hydrostatic *hydrostatic, const struct fill *fill,
+                               size_t i)
 {
     const struct scene_body *body = &scene->bodies[fill->body[i]];
     double v[3], pressure = 0;
     flow_velocity(body, fill->point[i], v);
     if (body->start != START_REST)
         pressure = hydrostatic_pressure(hydrostatic, (size_t)fill->body[i], fill->point[i]) +
-                   flow_pressure(body, scene->fluids[body->fluid].density, fill->point[i]);
+                   flow_pressure(body, scene->fluids[body->fluid].density, fill->point[i]) +
+                   round_pressure(scene, space, body, fill->point[i]);
     return (struct motion){{(float)v[0], (float)v[1], (float)v[2]}, (float)pressure};
 }
 
@@ -62,7 +87,7 @@ enum status start_bodies(const struct scene *scene, const struct space *space,
     for (size_t i = 0; i < fill->count; i++) {
         const struct scene_body *body = &scene->bodies[fill->body[i]];
         const struct scene_fluid *fluid = &scene->fluids[body->fluid];
-        particles_motion(particles)[i] = motion_at(scene, &hydrostatic, fill, i);
+        particles_motion(particles)[i] = motion_at(scene, space, &hydrostatic, fill, i);
         particles_density(particles)[i] = (float)fluid->density;
         if (particles->now[FIELD_FLUID])
             ((uint8_t *)particles->now[FIELD_FLUID])[i] = (uint8_t)body->fluid;

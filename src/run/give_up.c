@@ -146,6 +146,12 @@ static void find_limit(const struct simulation *s, struct cause *cause)
         cause->change = "lower fluids[].viscosity, or use a larger spacing";
         return;
     }
+    if (which == LIMIT_CAPILLARY) {
+        snprintf(cause->what, sizeof cause->what,
+                 "capillary: surface tension moves particles in %.3g s", least);
+        cause->change = "lower fluids[].surface_tension, or use a larger spacing";
+        return;
+    }
     snprintf(cause->what, sizeof cause->what, "force: a force that no time step resolves");
     cause->change = s->plan->choice.is_implicit
                         ? "slow the bodies down, lower time.cfl, or use a smaller spacing"

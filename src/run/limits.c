@@ -8,6 +8,8 @@ const char *const limit_names[LIMIT_COUNT] = {
     [LIMIT_SPEED] = "speed limit (flow across the spacing)",
     [LIMIT_FORCE] = "force limit (acceleration across the spacing)",
     [LIMIT_VISCOUS] = "viscous limit (h^2 rho/mu)",
+    [LIMIT_CAPILLARY] = "capillary limit (surface tension, sqrt(rho h^3/sigma))",
+    [LIMIT_DAMPING] = "damping limit (1/dissipation)",
     [LIMIT_GROWTH] = "growth limit (a tenth more than the last step)",
     [LIMIT_USER] = "scene's time.step",
 };
@@ -21,7 +23,7 @@ static void implicit_limits(const struct simulation *s, double speed, double lim
     double most = c->cfl * 0.4 * c->spacing;
     if (c->implicit_viscosity) /* a wall can drag fluid along in one step */
         speed = fmax(speed, c->wall_speed);
-    double force = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    double force = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + c->pull;
     double reached = (sqrt(speed * speed + 4 * force * most) - speed) / 2; /* dt g */
     if (speed + reached > 0)
         limit[LIMIT_SPEED] = most / (speed + reached);
@@ -47,6 +49,9 @@ void limits_now(const struct simulation *s, double limit[LIMIT_COUNT])
         limit[k] = INFINITY;
     (s->plan->choice.is_implicit ? implicit_limits : explicit_limits)(s, speed, limit);
     limit[LIMIT_VISCOUS] = s->plan->choice.limits.viscous;
+    limit[LIMIT_CAPILLARY] = s->plan->choice.limits.capillary;
+    if (!s->plan->choice.is_implicit) /* whose kick is exact */
+        limit[LIMIT_DAMPING] = s->plan->choice.limits.damping;
     limit[LIMIT_USER] = s->plan->choice.limits.user;
     limit[LIMIT_GROWTH] = 1.1 * s->last_dt;
 }

@@ -9,6 +9,8 @@ enum limit {
     LIMIT_SPEED,    /* the flow crosses a part of the spacing */
     LIMIT_FORCE,    /* so does a particle that starts from rest */
     LIMIT_VISCOUS,  /* momentum diffuses over a part of h */
+    LIMIT_CAPILLARY,/* capillary waves of length h cross a part of it */
+    LIMIT_DAMPING,  /* dissipation takes a part of the velocity */
     LIMIT_GROWTH,   /* a step is at most a tenth longer than the last */
     LIMIT_USER,     /* time.step */
     LIMIT_COUNT

@@ -35,6 +35,16 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
             omit(plan, viscous ? "pass force: viscosity and pressure are solved for"
                                : "pass force: no viscosity, and pressure is solved for");
         return !c->is_implicit || applied;
+    case PASS_NORMALS:
+        if (!c->tension.any)
+            omit(plan, "passes normals, tension: every fluid has surface tension 0");
+        return c->tension.any;
+    case PASS_TENSION:
+        return c->tension.any;
+    case PASS_EXTERNAL:
+        if (!c->external.any && !(c->tension.any && c->starts_rate))
+            omit(plan, "pass external: no central force, buoyancy between fluids or dissipation");
+        return c->external.any || (c->tension.any && c->starts_rate);
     case PASS_WALLS:
         if (!c->wall_planes)
             omit(plan, "pass walls: no closed face");
@@ -181,6 +191,10 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     static const size_t particles[FLUIDS_MAX];
     struct plan trial = *plan;
     solver_choose(plan->solver, plan->scene, &plan->space, volume, particles, &trial.choice);
+    if (trial.choice.is_implicit && trial.choice.tension.any) /* drops scatter, as measured */
+        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use wcsph, "
+                         "or set fluids[].surface_tension to 0", plan->scene->source,
+                         plan->solver->variant.name);
     plan_passes(&trial);
     plan_color(&trial, options);
     plan_fields(&trial);

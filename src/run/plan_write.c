@@ -47,6 +47,8 @@ static void write_solves(const struct solver_choice *c, FILE *out)
     fprintf(out, "time step      %.3g d / fastest", c->cfl * 0.4);
     if (isfinite(c->limits.viscous))
         fprintf(out, ", viscous %.4g s", c->limits.viscous);
+    if (isfinite(c->limits.capillary))
+        fprintf(out, ", capillary %.4g s", c->limits.capillary);
     if (isfinite(c->limits.user))
         fprintf(out, ", scene %.4g s", c->limits.user);
     fputs("\n", out);
@@ -56,11 +58,16 @@ static void write_limits(const struct solver_choice *c, FILE *out)
 {
     fprintf(out, "sound speed    %.4g m/s\n", c->sound_speed);
     double acoustic = c->limits.acoustic / (c->sound_speed + c->fastest);
+    double other = fmin(c->limits.viscous, fmin(c->limits.capillary, c->limits.damping));
     fprintf(out, "time step      at most %.4g s (acoustic", fmin(c->limits.user,
-            fmin(acoustic, c->limits.viscous)));
+            fmin(acoustic, other)));
     fprintf(out, " %.4g at %.4g m/s", acoustic, c->fastest);
     if (isfinite(c->limits.viscous))
         fprintf(out, ", viscous %.4g", c->limits.viscous);
+    if (isfinite(c->limits.capillary))
+        fprintf(out, ", capillary %.4g", c->limits.capillary);
+    if (isfinite(c->limits.damping))
+        fprintf(out, ", damping %.4g", c->limits.damping);
     if (isfinite(c->limits.user))
         fprintf(out, ", scene %.4g", c->limits.user);
     fprintf(out, "; force %.2g sqrt(h/a))\n", c->limits.force);
@@ -79,6 +86,10 @@ static void write_terms(const struct solver_choice *c, FILE *out)
         fputs(", continuity", out);
     if (c->flags & PAIR_DIFFUSION)
         fputs(", density diffusion", out);
+    if (c->tension.any)
+        fputs(", surface tension", out);
+    if (c->external.any)
+        fputs(", external", out);
     fputs("\n", out);
 }
 

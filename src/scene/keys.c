@@ -31,6 +31,16 @@ const struct key scene_core_keys[] = {
      "shown in the film when render.title is true", IN(title)},
     {"gravity", KEY_VEC3, 0, "[0, -9.81, 0]", ANY, "m/s^2", NULL,
      "acceleration of every particle", IN(gravity)},
+    {"central_force.center", KEY_VEC3, 0, "[0, 0, 0]", ANY, "m", NULL,
+     "the point that the central force pulls to", IN(central_force.center)},
+    {"central_force.frequency", KEY_REAL, 0, "0", FROM(0), "rad/s", NULL,
+     "Omega of the acceleration -Omega^2 (x - center), not along periodic axes; 0: none",
+     IN(central_force.frequency)},
+    {"buoyancy", KEY_REAL, 0, "0", FROM(0), "", NULL,
+     "b of the acceleration b (rho - rho_mean)/rho g added to each fluid of density rho; rho_mean: "
+     "of all fluids together. Fluids float without it by their pressure", IN(buoyancy)},
+    {"dissipation", KEY_REAL, 0, "0", FROM(0), "1/s", NULL,
+     "rate at which every velocity decays: acceleration -rate v", IN(dissipation)},
 
     {"domain.min", KEY_VEC3, 0, NULL, ANY, "m", NULL, "lowest corner of the box", IN(domain.min)},
     {"domain.max", KEY_VEC3, 0, NULL, ANY, "m", NULL, "highest corner of the box", IN(domain.max)},
@@ -56,6 +66,8 @@ const struct key scene_core_keys[] = {
      "rest density", FLUID(density)},
     {"fluids[].viscosity", KEY_REAL, 0, "1e-3", FROM(0), "Pa s", NULL,
      "dynamic viscosity", FLUID(viscosity)},
+    {"fluids[].surface_tension", KEY_REAL, 0, "0", FROM(0), "N/m", NULL,
+     "of its surface; where two fluids meet their tensions add", FLUID(surface_tension)},
     {"fluids[].color", KEY_VEC3, 0, "[0.16, 0.44, 0.80]", 0, 1, "", NULL,
      "red, green, blue for color.by solid", FLUID(color)},
 

@@ -28,6 +28,7 @@ struct scene_fluid {
     char name[KEY_TEXT_SIZE];
     double density;        /* rest density, kg/m^3 */
     double viscosity;      /* dynamic viscosity, Pa s */
+    double surface_tension;/* N/m */
     double color[3];       /* for color.by = "solid", 0..1 */
 };
 
@@ -77,6 +78,9 @@ struct scene {
     char source[4096];     /* file it came from */
     char title[KEY_TEXT_SIZE];
     double gravity[3];     /* m/s^2 */
+    struct { double center[3], frequency; } central_force; /* m, rad/s; 0: none */
+    double buoyancy;       /* times the fluids' own */
+    double dissipation;    /* of velocity, 1/s */
 
     struct {
         double min[3], max[3]; /* m */

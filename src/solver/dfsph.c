@@ -25,7 +25,8 @@ static const struct key keys[] = {
 };
 
 static const enum pass_id passes[] = {
-    PASS_SORT,  PASS_NEIGHBOURS, PASS_FACTOR, PASS_FORCE, PASS_WALLS, PASS_KICK,
+    PASS_SORT,  PASS_NEIGHBOURS, PASS_FACTOR, PASS_FORCE, PASS_EXTERNAL,
+    PASS_NORMALS, PASS_TENSION, PASS_WALLS, PASS_KICK,
     PASS_DRAG_BEGIN, PASS_DRAG_DIAGONAL, PASS_DRAG_RESIDUAL,
     PASS_SOLVE_VISCOSITY, PASS_DRAG_MATRIX, PASS_DRAG_STEP, PASS_SOLVED,
     PASS_SOLVE_VELOCITY, PASS_PUSH, PASS_SWEEP, PASS_SOLVED, PASS_PROJECT,
@@ -67,7 +68,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     choice->implicit.omega = (float)(DFSPH_WINDOW_PART * 2 / radius);
     choice->implicit.pressure = (float)choice->moment;
     choice->implicit.most = 0.02f;
-    choice->implicit.slack = 0.03f;
+    choice->implicit.slack = choice->enclosed ? 1 : 0.03f; /* nothing is loose there */
     choice->implicit.restore = 0.03f;
     for (size_t f = 0; f < scene->fluid_count; f++)
         choice->implicit.volume[f] = choice->each.mass[f] / choice->each.rest_density[f];

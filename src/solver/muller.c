@@ -13,8 +13,8 @@ static const struct key keys[] = {
 };
 
 static const enum pass_id passes[] = {
-    PASS_SORT,     PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY,
-    PASS_PRESSURE, PASS_FORCE,      PASS_WALLS,   PASS_CORRECT,
+    PASS_SORT,     PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY, PASS_PRESSURE, PASS_FORCE,
+    PASS_EXTERNAL, PASS_NORMALS,    PASS_TENSION, PASS_WALLS,   PASS_CORRECT,
 };
 
 static void choose(const struct scene *scene, struct solver_choice *choice)

@@ -16,6 +16,7 @@ enum {
     SEARCH = FIELD_BIT(FIELD_SEARCH),
     REMAINDER = FIELD_BIT(FIELD_REMAINDER),
     SHIFT = FIELD_BIT(FIELD_SHIFT),
+    NORMAL = FIELD_BIT(FIELD_NORMAL),
 };
 
 const struct pass_row pass_table[PASS_COUNT] = {
@@ -30,6 +31,13 @@ const struct pass_row pass_table[PASS_COUNT] = {
                        POSITION | DENSITY, POSITION | MOTION | DENSITY},
     [PASS_FORCE] = {PASS_FORCE, PASS_PAIR, "force", "acceleration and density rate",
                     POSITION | MOTION | DENSITY, RATE},
+    [PASS_NORMALS] = {PASS_NORMALS, PASS_PAIR, "normals", "normals of each fluid's surface",
+                      POSITION, NORMAL},
+    [PASS_EXTERNAL] = {PASS_EXTERNAL, PASS_EACH, "external",
+                       "gravity where no force pass adds it, central force, buoyancy, dissipation",
+                       POSITION | MOTION, RATE},
+    [PASS_TENSION] = {PASS_TENSION, PASS_PAIR, "tension", "surface tension by curvature",
+                      POSITION | NORMAL, RATE},
     [PASS_WALLS] = {PASS_WALLS, PASS_EACH, "walls", "half spaces behind closed faces",
                     POSITION | MOTION | DENSITY, RATE},
     [PASS_SHIFT] = {PASS_SHIFT, PASS_PAIR, "shift", "velocity of shifting, and rates along it",

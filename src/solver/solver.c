@@ -189,6 +189,8 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     choose_walls(scene, space, choice);
     choose_scales(scene, space, choice);
     choose_fluids(scene, fluid_volume, fluid_particles, choice);
+    tension_choose(scene, choice);
+    external_choose(scene, space, fluid_volume, choice);
     choice->cfl = isnan(scene->time.cfl) ? solver->cfl : scene->time.cfl;
     choice->limits.acoustic = choice->cfl * choice->smoothing_length;
     choice->limits.force = 0.25;
@@ -196,6 +198,8 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     solver->choose(scene, choice);
     if (!choice->is_implicit) /* forces see a velocity that is predicted by the last forces: drag of */
         choice->limits.viscous /= 2; /* rate z is stable for z dt < 1, not 2 as by Euler's method */
+    bool applied = choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY) && !choice->implicit_viscosity;
+    choice->starts_rate = choice->is_implicit && !applied;
     choose_restore(scene, choice);
     choice->each.rest_speed = (float)(1e-12 * fmax(choice->sound_speed, choice->fastest));
 }

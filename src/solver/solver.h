@@ -5,19 +5,24 @@
 #include "base/variant.h"
 #include "particles/space.h"
 #include "scene/scene.h"
+#include "solver/external.h"
 #include "solver/implicit.h"
 #include "solver/kernel.h"
 #include "solver/pair_constants.h"
 #include "solver/pass.h"
+#include "solver/tension.h"
 
 #include <stdbool.h>
 
 /* The largest stable time steps, s; INFINITY where a limit does not apply.
- * dt <= min(acoustic h/(c0 + |v|max), force sqrt(h/|a|max), viscous h^2/nu). */
+ * dt <= min(acoustic h/(c0 + |v|max), force sqrt(h/|a|max), viscous h^2/nu,
+ *           capillary sqrt(rho h^3/(2 pi sigma)), damping/rate). */
 struct step_limits {
     double acoustic;  /* C1 h, m */
     double force;     /* C2 */
     double viscous;   /* C3 h^2 / nu, s */
+    double capillary; /* C4 sqrt(rho h^3 / (2 pi sigma)) (Brackbill et al. 1992), s */
+    double damping;   /* 0.5 / dissipation; s */
     double user;      /* time.step */
 };
 
@@ -50,6 +55,11 @@ struct solver_choice {
     bool wall_planes, wall_particles;
     struct pair_constants pair;
     struct explicit_constants each;
+    struct tension_constants tension;
+    struct external_constants external;
+    double ripple;           /* viscous pressure per speed that ripples of tension need, Pa s/m */
+    bool starts_rate;        /* no force pass: the external pass begins with gravity */
+    double pull;             /* largest expected acceleration by the central force, m/s^2 */
     bool enclosed;           /* bodies fill the domain: no free surface */
     bool is_implicit;        /* pressure by solving; particles move last in a step */
     struct implicit_constants implicit;
@@ -77,6 +87,19 @@ extern const struct solver_row solver_dfsph, solver_wcsph, solver_muller;
 void solver_choose(const struct solver_row *solver, const struct scene *scene,
                    const struct space *space, const double *fluid_volume,
                    const size_t *fluid_particles, struct solver_choice *choice);
+
+/* The part that optional accelerations have in it; each also bounds the step and raises the
+ * expected speed. */
+void tension_choose(const struct scene *scene, struct solver_choice *choice);
+void external_choose(const struct scene *scene, const struct space *space,
+                     const double *fluid_volume, struct solver_choice *choice);
+
+/* Sum over the depth of a plane surface on the lattice of what tension takes for |grad c|
+ * (solver/tension.h), for a support in spacings. */
+double tension_plane(double support);
+
+/* Mass of all fluids over their volume, kg/m^3. */
+double external_mean_density(const struct scene *scene, const double *fluid_volume);
 
 /* Makes the particles' density follow from the pressure they start with, by the inverse of the
  * equation of state, where density is a state (continuity); their masses stay. Negative pressure

@@ -31,8 +31,8 @@ static const struct key keys[] = {
 };
 
 static const enum pass_id passes[] = {
-    PASS_SORT,  PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY,
-    PASS_PRESSURE, PASS_FORCE,   PASS_WALLS,   PASS_SHIFT,   PASS_CORRECT,
+    PASS_SORT,     PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY, PASS_PRESSURE, PASS_FORCE,
+    PASS_EXTERNAL, PASS_NORMALS,    PASS_TENSION, PASS_WALLS,   PASS_SHIFT,    PASS_CORRECT,
 };
 
 static void choose(const struct scene *scene, struct solver_choice *choice)
@@ -53,11 +53,11 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
         choice->flags |= PAIR_CONTINUITY | (delta > 0 ? PAIR_DIFFUSION : 0);
     choice->shifting = scene_flag(scene, "solver.shifting");
     choice->crowd = (float)(1 / choice->kernel->value(choice->spacing / choice->smoothing_length));
-    if (alpha > 0)
+    if (alpha > 0 || choice->ripple > 0)
         choice->flags |= PAIR_ARTIFICIAL;
     if (strcmp(scene_text(scene, "solver.pressure_form"), "symmetric") == 0)
         choice->flags |= PAIR_SYMMETRIC;
-    choice->pair.artificial = (float)(alpha * choice->sound_speed * lightest);
+    choice->pair.artificial = (float)fmax(alpha * choice->sound_speed * lightest, choice->ripple);
     choice->pair.diffusion = (float)(2 * delta / choice->sound_speed);
 }
 

@@ -50,6 +50,10 @@ static enum status allocate(struct backend *b, struct error *e)
         b->number = memory_create("kernel sums", padded, sizeof(float), e);
         ok = ok && b->number;
     }
+    if (b->choice.tension.any && b->particles.now[FIELD_FLUID]) {
+        b->fluid = memory_create("fluids of neighbours", padded, sizeof(float), e);
+        ok = ok && b->fluid;
+    }
     if (!ok || rows_create(&b->rows, n, b->threads, e) ||
         (w && rows_create(&b->wall_rows, n, b->threads, e)))
         return e->status;
@@ -124,6 +128,7 @@ static void cpu_close(struct backend *b)
     memory_free(b->number);
     memory_free(b->residual);
     memory_free(b->inverse_density);
+    memory_free(b->fluid);
     free(b);
 }
 
@@ -196,6 +201,9 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_DENSITY: cpu_pairs(b, b->density); break;
     case PASS_PRESSURE: cpu_pressure(b); break;
     case PASS_FORCE: cpu_pairs(b, b->force); break;
+    case PASS_EXTERNAL: cpu_external(b, step); break;
+    case PASS_NORMALS: cpu_tension(b, PAIR_PASS_NORMALS); break;
+    case PASS_TENSION: cpu_tension(b, PAIR_PASS_TENSION); break;
     case PASS_WALLS: cpu_walls(b); break;
     case PASS_SHIFT: cpu_shift(b, step); break;
     case PASS_CORRECT: cpu_correct(b, step); break;

@@ -21,6 +21,7 @@ struct backend {
     float *number;                   /* sum w; only with density by summation */
     float *inverse_density;          /* 1 / rest density; only with an implicit solver and fluids
                                         that differ in it */
+    float *fluid;                    /* index; only with surface tension and several fluids */
     int64_t *residual;               /* of each block; only with an implicit solver */
     struct {
         double product; /* of the residual with itself, preconditioned, J/m^3 */
@@ -51,6 +52,12 @@ void cpu_solve_start(struct backend *b);
 
 /* A pair pass of the implicit solver; a sweep sets step->residual. */
 void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass);
+
+/* Adds to the rate, or begins it with gravity. */
+void cpu_external(struct backend *b, const struct step *step);
+
+/* The pair passes of surface tension. */
+void cpu_tension(struct backend *b, enum pair_pass pass);
 
 /* Conjugate gradients of implicit viscosity: what is around each product (solver/drag.h). */
 void cpu_drag_begin(struct backend *b, const struct step *step);

@@ -8,6 +8,7 @@
 #include "solver/implicit.h"
 #include "solver/pair_constants.h"
 #include "solver/shift.h"
+#include "solver/tension.h"
 
 #include <stdbool.h>
 
@@ -67,6 +68,14 @@ struct shift_work {
     float crowd; /* 1 / w(d) */
 };
 
+/* What the passes of surface tension read and write besides. */
+struct tension_work {
+    const struct explicit_constants *each;
+    const struct tension_constants *constants;
+    const float *fluid; /* index per particle; NULL: one fluid */
+    struct normal *normal;
+};
+
 /* What a pair pass reads and writes; arrays are those of struct particles. */
 struct pair_work {
     struct pair_constants constants;
@@ -87,6 +96,7 @@ struct pair_work {
     size_t count;
     const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
     const struct shift_work *shift;      /* of the shifting pass, or NULL */
+    const struct tension_work *tension;  /* of the passes of surface tension, or NULL */
 };
 
 typedef void pair_function(const struct pair_work *work, size_t first_block, size_t last_block);
@@ -95,6 +105,8 @@ enum pair_pass {
     PAIR_PASS_DENSITY,
     PAIR_PASS_FORCE,
     PAIR_PASS_SHIFT,
+    PAIR_PASS_NORMALS, /* writes tension->normal */
+    PAIR_PASS_TENSION, /* adds to rate */
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */

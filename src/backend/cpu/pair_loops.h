@@ -261,6 +261,7 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
 #include "backend/cpu/solve_loops.h"
 #include "backend/cpu/drag_loops.h"
 #include "backend/cpu/shift_loops.h"
+#include "backend/cpu/tension_loops.h"
 
 static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls)
 {
@@ -268,6 +269,8 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     switch (pass) {
     case PAIR_PASS_DENSITY:
         return flags & PAIR_MULLER ? density_muller : cubic ? density_cubic : density_wendland;
+    case PAIR_PASS_NORMALS: return normals_blocks;
+    case PAIR_PASS_TENSION: return tension_blocks;
     case PAIR_PASS_FACTOR: return cubic ? factor_cubic : factor_wendland;
     case PAIR_PASS_PUSH: return cubic ? push_cubic : push_wendland;
     case PAIR_PASS_PROJECT: return cubic ? project_cubic : project_wendland;
