@@ -68,4 +68,6 @@ compare "two fluids" tests/scenes/two-fluids.json
 compare "wall particles" tests/scenes/wall-particles.json
 compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.8 --fps 30
 compare "periodic" tests/scenes/periodic.json
+compare "particle shifting" tests/scenes/taylor-green.json
+compare "shifting between wall particles" tests/scenes/wall-particles.json --set solver.shifting=on
 echo "1..$n"

@@ -18,8 +18,9 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_FACTOR] = {"factor", "kernel gradient sum, diagonal, walls, density", 8 * sizeof(float), 0},
     [FIELD_WARM] = {"warm", "pressures that solves hand on", 3 * sizeof(float), 1},
     [FIELD_SEARCH] = {"search", "search direction, viscosity", 4 * sizeof(float), 0},
-    [FIELD_SHIFT] = {"shift", "velocity of shifting, nearness of a surface", 4 * sizeof(float), 2},
     [FIELD_REMAINDER] = {"remainder", "residual of viscosity, drag of planes", 4 * sizeof(float), 0},
+    [FIELD_SHIFT] = {"shift", "velocity of shifting, depth in the fluid", 4 * sizeof(float), 2},
+    [FIELD_SURFACE] = {"surface", "whether at a surface", sizeof(float), 2},
     [FIELD_NORMAL] = {"normal", "normal of the fluid's surface", 4 * sizeof(float), 0},
 };
 

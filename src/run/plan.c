@@ -55,7 +55,10 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
         return c->wall_planes && drags;
     case PASS_SHIFT:
         if (!c->shifting)
-            omit(plan, "pass shift: particles move with the fluid");
+            omit(plan, strcmp(scene_text(plan->scene, "solver.shifting"), "off") == 0
+                           ? "pass shift: not asked for"
+                           : "pass shift: not one fluid that fills a domain without walls, with "
+                             "density by continuity and average pressure");
         return c->shifting;
     case PASS_DRAG_BEGIN:
         if (viscous && !c->implicit_viscosity)
@@ -195,6 +198,10 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
         return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use wcsph, "
                          "or set fluids[].surface_tension to 0", plan->scene->source,
                          plan->solver->variant.name);
+    if (trial.choice.shifting &&
+        (!trial.choice.continuity || trial.choice.flags & PAIR_SYMMETRIC))
+        return error_set(e, STATUS_USAGE, "%s: solver.shifting needs solver.density continuity and "
+                         "solver.pressure_form average; set it to off", plan->scene->source);
     plan_passes(&trial);
     plan_color(&trial, options);
     plan_fields(&trial);

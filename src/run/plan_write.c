@@ -86,6 +86,8 @@ static void write_terms(const struct solver_choice *c, FILE *out)
         fputs(", continuity", out);
     if (c->flags & PAIR_DIFFUSION)
         fputs(", density diffusion", out);
+    if (c->shifting)
+        fputs(", particle shifting", out);
     if (c->tension.any)
         fputs(", surface tension", out);
     if (c->external.any)

@@ -101,17 +101,17 @@ static inline uint32_t explicit_bounce(const struct explicit_constants *c, int a
     return (uint32_t)(at < low ? low : at > high ? high : at);
 }
 
-/* First half of a step; returns the square of the distance moved, m^2 (INFINITY when runaway). */
+/* First half of a step; `shift` (m/s, or NULL) moves the particle besides its velocity. Returns the
+ * square of the distance moved, m^2 (INFINITY when runaway). */
 static inline float explicit_predict(const struct explicit_constants *c, int fluid, float dt,
                                      const struct position *x0, const struct motion *v0,
-                                     const struct rate *rate, float density0,
-                                     const float *shift, struct position *x,
-                                     struct motion *v, float *density)
+                                     const struct rate *rate, float density0, const float *shift,
+                                     struct position *x, struct motion *v, float *density)
 {
     float move2 = 0;
     for (int a = 0; a < 3; a++) {
         float kick = 0.5f * dt * rate->acceleration[a], half = v0->velocity[a] + kick;
-        float move = shift ? (half + shift[a]) * dt : half * dt;
+        float move = (shift ? half + shift[a] : half) * dt;
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing)) /* the step is rejected anyway: no overflow below */
             return INFINITY;
@@ -191,10 +191,10 @@ static inline float explicit_drag(const struct explicit_constants *c, int fluid,
  * fluid along a wall would sink; its velocity continues the particle's linearly through that of the
  * plane (zero, unless it moves along itself), in the normal direction always, along the plane only
  * with no_slip, so that a linear profile has its exact divergence and no spurious drag. Without
- * `pushes` it only drags. */
+ * `pushes` it only drags; `thrust` is the part of p_i + p_wall that counts (solver/shift.h). */
 static inline void explicit_walls(const struct explicit_constants *c, int fluid,
                                   const struct position *x, const struct motion *v, float density,
-                                  bool pushes, float own, struct rate *rate)
+                                  bool pushes, float thrust, struct rate *rate)
 {
     float open[3];
     if (!explicit_open(c, x, open))
@@ -210,7 +210,7 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         float lever = 1 / (q > near ? q : near);
         if (pushes) {
             float area = c->normal * part * plane_value(c->planes.area, q) / c->h;
-            float p = own * v->pressure + (v->pressure > 0 ? v->pressure : 0);
+            float p = thrust * (v->pressure + (v->pressure > 0 ? v->pressure : 0));
             float closing = part * plane_value(c->planes.volume, q) * lever / c->h + area;
             rate->acceleration[n] += inward * p * area / density;
             rate->density -= density * inward * v->velocity[n] * closing;

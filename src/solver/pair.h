@@ -18,7 +18,7 @@ struct pair {
 /* What is read of a particle. */
 struct pair_state {
     real volume, vx, vy, vz, pressure, viscosity;
-    real own;
+    real own, wall;      /* only of i: its pressure as the sum p_i + p_j has it, and a wall's */
     real inverse_volume; /* only of i, only with PAIR_SYMMETRIC */
 };
 
@@ -57,7 +57,8 @@ static inline __attribute__((always_inline)) void pair_density(real *sum, const 
 }
 
 /* Momentum and continuity of weakly compressible SPH:
- *   dv_i/dt   = -1/rho_i sum V_j (p_i + p_j) grad W                     (Colagrossi & Landrini 2003)
+ *   dv_i/dt   = -1/rho_i sum V_j (p_i + p_j) grad W                     (Colagrossi & Landrini 2003;
+ *               deep in shifting fluid (p_j - p_i), solver/shift.h)
  *            or -1/m_i sum (V_i^2 p_i + V_j^2 p_j) grad W               (Hu & Adams 2006)
  *             + 1/rho_i sum V_j (mu_i + mu_j) W'/r v_ij                 (Morris et al. 1997)
  *   drho_i/dt = rho_i sum V_j v_ij . grad W
@@ -112,7 +113,7 @@ static inline __attribute__((always_inline)) void pair_wall(struct pair_sums *s,
 {
     real zero = real_set(0);
     struct pair_state wall = {.volume = volume, .vx = zero, .vy = zero, .vz = zero,
-                              .pressure = real_positive(i->pressure),
+                              .pressure = i->wall,
                               .viscosity = i->viscosity};
     /* The pressure of the wall carries no hydrostatic difference: no diffusion through it. */
     pair_force(s, i, &wall, p, c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC));

@@ -16,6 +16,7 @@ enum {
     SEARCH = FIELD_BIT(FIELD_SEARCH),
     REMAINDER = FIELD_BIT(FIELD_REMAINDER),
     SHIFT = FIELD_BIT(FIELD_SHIFT),
+    SURFACE = FIELD_BIT(FIELD_SURFACE),
     NORMAL = FIELD_BIT(FIELD_NORMAL),
 };
 
@@ -40,8 +41,8 @@ const struct pass_row pass_table[PASS_COUNT] = {
                       POSITION | NORMAL, RATE},
     [PASS_WALLS] = {PASS_WALLS, PASS_EACH, "walls", "half spaces behind closed faces",
                     POSITION | MOTION | DENSITY, RATE},
-    [PASS_SHIFT] = {PASS_SHIFT, PASS_PAIR, "shift", "velocity of shifting, and rates along it",
-                    POSITION | MOTION | DENSITY | SHIFT, RATE | SHIFT},
+    [PASS_SHIFT] = {PASS_SHIFT, PASS_PAIR, "shift", "velocity of particle shifting, for the next step",
+                    POSITION | MOTION | SURFACE, SHIFT | SURFACE},
     [PASS_CORRECT] = {PASS_CORRECT, PASS_EACH, "correct", "second half kick; extremes",
                       MOTION | DENSITY | RATE, MOTION | DENSITY},
     [PASS_FACTOR] = {PASS_FACTOR, PASS_PAIR, "factor", "density by summation, gradient sums, diagonal",

@@ -51,7 +51,7 @@ struct solver_choice {
     unsigned flags;          /* enum pair_flag, and the kernel's */
     bool continuity;         /* density by continuity equation */
     bool shifting;           /* particles drift towards emptier places */
-    float crowd;             /* 1 / w(d), of shifting */
+    float closeness;         /* 1 / w(d), of shifting */
     bool wall_planes, wall_particles;
     struct pair_constants pair;
     struct explicit_constants each;

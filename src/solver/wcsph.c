@@ -26,14 +26,27 @@ static const struct key keys[] = {
      .doc = "pair pressure: V_j (p_i + p_j), or V_i^2 p_i + V_j^2 p_j"},
     {.path = "solver.clamp_negative", .type = KEY_BOOL, .fallback = "true", .unit = "",
      .offset = KEY_OPTION, .doc = "set negative pressure to zero: no clumping at a free surface"},
-    {.path = "solver.shifting", .type = KEY_BOOL, .fallback = "false", .unit = "",
-     .offset = KEY_OPTION, .doc = "particles drift towards emptier places within the fluid"},
+    {.path = "solver.shifting", .type = KEY_CHOICE, .fallback = "\"auto\"",
+     .choices = "auto|on|off", .unit = "", .offset = KEY_OPTION,
+     .doc = "particle shifting; auto: on where one fluid fills a domain without walls"},
 };
 
 static const enum pass_id passes[] = {
     PASS_SORT,     PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY, PASS_PRESSURE, PASS_FORCE,
     PASS_EXTERNAL, PASS_NORMALS,    PASS_TENSION, PASS_WALLS,   PASS_SHIFT,    PASS_CORRECT,
 };
+
+/* A free surface or a wall keeps particles apart by pressure: shifting is no gain there. */
+static void choose_shifting(const struct scene *scene, struct solver_choice *choice)
+{
+    const char *shifting = scene_text(scene, "solver.shifting");
+    bool fits = choice->continuity && !(choice->flags & PAIR_SYMMETRIC);
+    bool fills = choice->enclosed && !choice->wall_planes && !choice->wall_particles;
+    choice->shifting = strcmp(shifting, "on") == 0 ||
+                       (strcmp(shifting, "auto") == 0 && fits && fills && scene->fluid_count == 1);
+    choice->closeness =
+        (float)(1 / choice->kernel->value(choice->spacing / choice->smoothing_length));
+}
 
 static void choose(const struct scene *scene, struct solver_choice *choice)
 {
@@ -51,12 +64,11 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     }
     if (choice->continuity)
         choice->flags |= PAIR_CONTINUITY | (delta > 0 ? PAIR_DIFFUSION : 0);
-    choice->shifting = scene_flag(scene, "solver.shifting");
-    choice->crowd = (float)(1 / choice->kernel->value(choice->spacing / choice->smoothing_length));
     if (alpha > 0 || choice->ripple > 0)
         choice->flags |= PAIR_ARTIFICIAL;
     if (strcmp(scene_text(scene, "solver.pressure_form"), "symmetric") == 0)
         choice->flags |= PAIR_SYMMETRIC;
+    choose_shifting(scene, choice);
     choice->pair.artificial = (float)fmax(alpha * choice->sound_speed * lightest, choice->ripple);
     choice->pair.diffusion = (float)(2 * delta / choice->sound_speed);
 }

@@ -205,7 +205,7 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_NORMALS: cpu_tension(b, PAIR_PASS_NORMALS); break;
     case PASS_TENSION: cpu_tension(b, PAIR_PASS_TENSION); break;
     case PASS_WALLS: cpu_walls(b); break;
-    case PASS_SHIFT: cpu_shift(b, step); break;
+    case PASS_SHIFT: cpu_shift(b); break;
     case PASS_CORRECT: cpu_correct(b, step); break;
     case PASS_FACTOR: cpu_solve(b, step, PAIR_PASS_FACTOR); break;
     case PASS_PUSH: cpu_solve(b, step, PAIR_PASS_PUSH); break;

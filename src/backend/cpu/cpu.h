@@ -42,7 +42,7 @@ void cpu_correct(struct backend *b, struct step *step);
 void cpu_pressure(struct backend *b);
 void cpu_walls(struct backend *b);
 void cpu_pairs(struct backend *b, pair_function *pass);
-void cpu_shift(struct backend *b, const struct step *step);
+void cpu_shift(struct backend *b);
 void cpu_kick(struct backend *b, struct step *step);
 void cpu_resume(struct backend *b, const struct step *step);
 void cpu_move(struct backend *b, struct step *step);

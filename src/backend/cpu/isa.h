@@ -58,14 +58,14 @@ struct solve_work {
     int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
 
-/* What the shifting pass reads and writes besides. */
+/* What the pass of particle shifting reads and writes besides. */
 struct shift_work {
     const struct explicit_constants *each;
     const uint32_t *id;
-    const struct shift *before;
+    const float *surface; /* l of the last step */
     struct shift *now;
-    float dt;    /* s */
-    float crowd; /* 1 / w(d) */
+    float *surface_now;
+    float closeness;      /* 1 / w(d) */
 };
 
 /* What the passes of surface tension read and write besides. */
@@ -86,6 +86,7 @@ struct pair_work {
     const float *rest_density; /* of each fluid, kg/m^3 */
     const float *inverse_density; /* 1 / rest density per particle; NULL: all fluids are alike */
     const uint8_t *fluid;      /* or NULL */
+    const struct shift *shift; /* of the last step; NULL: no shifting */
     struct rate *rate;         /* written by the force pass */
     float *number;             /* written by the density pass: sum w, to be scaled */
     const struct row_block *rows;
@@ -95,7 +96,7 @@ struct pair_work {
     const uint32_t *wall_row_count;
     size_t count;
     const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
-    const struct shift_work *shift;      /* of the shifting pass, or NULL */
+    const struct shift_work *shifting;   /* of the shifting pass, or NULL */
     const struct tension_work *tension;  /* of the passes of surface tension, or NULL */
 };
 
@@ -104,7 +105,7 @@ typedef void pair_function(const struct pair_work *work, size_t first_block, siz
 enum pair_pass {
     PAIR_PASS_DENSITY,
     PAIR_PASS_FORCE,
-    PAIR_PASS_SHIFT,
+    PAIR_PASS_SHIFT,   /* writes shifting->now, surface_now */
     PAIR_PASS_NORMALS, /* writes tension->normal */
     PAIR_PASS_TENSION, /* adds to rate */
     PAIR_PASS_FACTOR,

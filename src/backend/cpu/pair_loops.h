@@ -104,6 +104,19 @@ struct lane_particle {
     struct pair_sums sums;
 };
 
+/* What i's pressure counts in its sums: p_i + p_j, and deep in shifting fluid p_j - p_i. */
+FORCE_INLINE void pressure_load(const struct pair_work *w, size_t i, struct pair_state *state)
+{
+    state->own = state->pressure;
+    state->wall = real_positive(state->pressure);
+    if (!w->shift)
+        return;
+    real shift[4], one = real_set(1);
+    records_load(w->shift + i, lane_ramp, shift);
+    state->own = (one - real_set(2) * shift[3]) * state->pressure;
+    state->wall = (one - shift[3]) * (state->pressure + state->wall) - state->own;
+}
+
 FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_t i,
                                                  const unsigned flags)
 {
@@ -115,13 +128,7 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     records_load(w->motion + i, lane_ramp, motion);
     p.state.vx = motion[0], p.state.vy = motion[1], p.state.vz = motion[2];
     p.state.pressure = motion[3];
-    p.state.own = motion[3];
-    if (w->shift) {
-        real sh[4]; records_load(w->shift->before + i, lane_ramp, sh);
-        real in = sh[3];
-        if (tune()->tic > 0) p.state.own = motion[3] + in*real_positive(real_set(0)-motion[3]);
-        if (tune()->tic < 0) p.state.own = motion[3] - in*motion[3];
-    }
+    pressure_load(w, i, &p.state);
     p.state.viscosity = flags & PAIR_OWN_VISCOSITY ? real_load(w->viscosity + i) : real_set(0);
     for (int l = 0; l < LANES; l++) {
         rest[l] = w->rest_density[w->fluid ? w->fluid[i + (size_t)l] : 0];

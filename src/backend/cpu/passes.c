@@ -105,13 +105,13 @@ void cpu_walls(struct backend *b)
     const float *density = particles_density(p);
     const struct position *position = cpu_position(b);
     bool pushes = !(b->choice.flags & PAIR_DRAG_ONLY);
+    const struct shift *shift = p->before[FIELD_SHIFT];
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++) {
         int fluid = particles_fluid(p, i);
         explicit_walls(c, fluid, &position[i], &particles_motion(p)[i],
                        pushes ? density[i] : c->rest_density[fluid], pushes,
-                       p->now[FIELD_SHIFT] ? (tune()->tic<0?1-((struct shift*)p->before[FIELD_SHIFT])[i].place:tune()->tic>0&&particles_motion(p)[i].pressure<0?1-((struct shift*)p->before[FIELD_SHIFT])[i].place:1):1,
-                       &particles_rate(p)[i]);
+                       shift ? 1 - shift[i].deep : 1, &particles_rate(p)[i]);
     }
 }
 
@@ -132,6 +132,7 @@ struct pair_work cpu_pair_work(const struct backend *b)
         .density = b->choice.is_implicit ? NULL : particles_density(p),
         .rest_density = b->choice.each.rest_density,
         .fluid = p->now[FIELD_FLUID],
+        .shift = p->before[FIELD_SHIFT],
         .rate = particles_rate(p),
         .number = b->number,
         .rows = b->rows.block,
@@ -155,23 +156,21 @@ void cpu_pair_blocks(struct backend *b, const struct pair_work *work, pair_funct
 void cpu_pairs(struct backend *b, pair_function *pass)
 {
     struct pair_work work = cpu_pair_work(b);
-    struct shift_work shift = {.before=b->particles.before[FIELD_SHIFT]};
-    if (b->choice.shifting && pass==b->force) work.shift=&shift;
     cpu_pair_blocks(b, &work, pass);
 }
 
-void cpu_shift(struct backend *b, const struct step *step)
+void cpu_shift(struct backend *b)
 {
-    struct particles *p = &b->particles;
-    struct pair_work work = cpu_pair_work(b);
-    struct shift_work shift = {
+    const struct particles *p = &b->particles;
+    struct shift_work shifting = {
         .each = &b->choice.each,
         .id = particles_id(p),
-        .before = p->before[FIELD_SHIFT],
+        .surface = p->before[FIELD_SURFACE],
         .now = p->now[FIELD_SHIFT],
-        .dt = step->dt,
-        .crowd = b->choice.crowd,
+        .surface_now = p->now[FIELD_SURFACE],
+        .closeness = b->choice.closeness,
     };
-    work.shift = &shift;
+    struct pair_work work = cpu_pair_work(b);
+    work.shifting = &shifting;
     cpu_pair_blocks(b, &work, b->isa->find(PAIR_PASS_SHIFT, b->choice.flags, false));
 }
