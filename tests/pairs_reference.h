@@ -126,7 +126,11 @@ static inline struct reference reference_rate(const struct cloud *c, unsigned fl
     for (size_t j = 0; walls && j < c->wall_count; j++) {
         const struct position *wall = &particles_position(&c->wall)[j];
         double q = reference_between(c, &position[at], wall, x);
-        struct reference_side other = {wall->volume, {0}, fmax(i.pressure, 0), i.viscosity};
+        double own = fmax(i.pressure, 0), head = 0;
+        for (int a = 0; a < 3; a++)
+            head -= c->constants.head[a] * c->rest_density[particles_fluid(&c->particles, at)] * x[a];
+        struct reference_side other = {wall->volume, {0}, fmax(own + fmin(head, 8 * own), 0),
+                                       i.viscosity};
         reference_add(c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC), &r, at, &i, &other, x,
                       q);
     }

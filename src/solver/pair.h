@@ -105,17 +105,28 @@ static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s
     }
 }
 
-/* A wall particle repeats i's pressure (never sucks), stands still, and drags with i's viscosity
- * (Akinci et al. 2012). */
+/* Hydrostatic difference from i to a wall particle, Pa, as far as i has pressure: none of a particle
+ * that falls towards the wall, and nothing that would suck. */
+static inline __attribute__((always_inline)) real pair_wall_head(const struct pair_state *i,
+                             const struct pair *p, const struct pair_lane_constants *c)
+{
+    real zero = real_set(0), own = real_positive(i->pressure), most = real_set(8) * own;
+    real head = real_fma(c->head_z, p->z, real_fma(c->head_y, p->y, c->head_x * p->x));
+    real rise = most - real_positive(most + head); /* the smaller of most and -head */
+    return real_positive(rise + own) + (zero - own);
+}
+
+/* A wall particle continues i's pressure hydrostatically (Adami et al. 2012; never sucks), stands
+ * still, and drags with i's viscosity (Akinci et al. 2012). */
 static inline __attribute__((always_inline)) void pair_wall(struct pair_sums *s, const struct pair_state *i, real volume,
                              const struct pair *p, const struct pair_lane_constants *c,
                              unsigned flags)
 {
     real zero = real_set(0);
     struct pair_state wall = {.volume = volume, .vx = zero, .vy = zero, .vz = zero,
-                              .pressure = i->wall,
+                              .pressure = i->wall + pair_wall_head(i, p, c),
                               .viscosity = i->viscosity};
-    /* The pressure of the wall carries no hydrostatic difference: no diffusion through it. */
+    /* No density diffuses through the wall. */
     pair_force(s, i, &wall, p, c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC));
 }
 

@@ -25,7 +25,8 @@ struct pair_constants {
     float inverse_h;    /* 1/m */
     float artificial;   /* alpha c0 rho0, Pa s/m */
     float diffusion;    /* 2 delta / c0, s/m */
-    float head[3];      /* g h, m^2/s^2: times rest density, the hydrostatic difference per q */
+    float head[3];      /* g h, m^2/s^2: times rest density, the hydrostatic difference per q;
+                           0 along periodic axes */
     float gravity[3];   /* m/s^2 */
 };
 

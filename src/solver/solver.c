@@ -139,8 +139,8 @@ static void choose_scales(const struct scene *scene, const struct space *space,
     for (int a = 0; a < 3; a++) {
         choice->pair.scale[a] = (float)(space->unit[a] / h);
         choice->pair.gravity[a] = (float)scene->gravity[a];
-        choice->pair.head[a] = (float)(scene->gravity[a] * h);
         choice->each.gravity[a] = space->periodic[a] ? 0 : (float)scene->gravity[a];
+        choice->pair.head[a] = (float)(choice->each.gravity[a] * h);
         choice->each.unit[a] = space->unit[a];
         choice->each.per_metre[a] = (float)(1 / space->unit[a]);
         choice->each.near[a] = (uint32_t)(2 * h / space->unit[a] * (1 - 1e-6));
