@@ -213,7 +213,7 @@ static void bounces_off_each_face(void **state)
             for (int k = 0; k < 3; k++)
                 old.count[k] = space_count(&w.plan.space, k, k == a ? wall + 0.01 * inward : 0.5);
             v0.velocity[a] = (float)(-2 * inward);
-            explicit_predict(c, 0, 0.02f, &old, &v0, &rate, 1000, &x, &v, &density);
+            explicit_predict(c, 0, 0.02f, &old, &v0, &rate, 1000, NULL, &x, &v, &density);
             double away = fabs(space_metres(&w.plan.space, a, x.count[a]) - wall);
             assert_true(fabs(away - 0.03 * restitution) < 1e-6);
             assert_true(fabs(v.velocity[a] - 2 * inward * restitution) < 1e-6);
