@@ -23,6 +23,7 @@ struct backend_setup {
 /* Scalars of one step, in and out. */
 struct step {
     float dt;          /* s, for predict and correct */
+    float before;      /* s: of the step before; 0 at the first, and where no solver needs it */
     double list_radius;/* m, for sort and neighbours */
     struct extremes extremes; /* of the last predict, correct or move pass */
     enum solve solve;         /* which solve the loop belongs to */

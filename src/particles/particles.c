@@ -21,6 +21,11 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_REMAINDER] = {"remainder", "residual of viscosity, drag of planes", 4 * sizeof(float), 0},
     [FIELD_SHIFT] = {"shift", "velocity of shifting, depth in the fluid", 4 * sizeof(float), 2},
     [FIELD_SURFACE] = {"surface", "whether at a surface", sizeof(float), 2},
+    [FIELD_STENCIL] = {"stencil", "kernel sums, walls and surface around", 28 * sizeof(float), 0},
+    [FIELD_UNKNOWN] = {"unknown", "diagonal, residual, solution", 4 * sizeof(float), 0},
+    [FIELD_TRIAL] = {"trial", "pressures and shift, of which gradients are taken", 4 * sizeof(float), 0},
+    [FIELD_DIRECTION] = {"direction", "search direction", sizeof(float), 0},
+    [FIELD_PRODUCT] = {"product", "matrix times direction", sizeof(float), 0},
     [FIELD_NORMAL] = {"normal", "normal of the fluid's surface", 4 * sizeof(float), 0},
 };
 

@@ -39,6 +39,11 @@ enum field {
     FIELD_SHIFT,     /* struct shift (solver/shift.h) */
     FIELD_SURFACE,   /* float: 0 inside the fluid, 1 at its surface (solver/shift.h) */
     FIELD_NORMAL,    /* struct normal (solver/tension.h) */
+    FIELD_STENCIL,   /* struct stencil (solver/projection.h) */
+    FIELD_UNKNOWN,   /* struct unknown: a row of a linear system */
+    FIELD_TRIAL,     /* struct trial: what gradients are taken of */
+    FIELD_DIRECTION, /* float: search direction of conjugate gradients */
+    FIELD_PRODUCT,   /* float: the matrix times it */
     FIELD_COUNT
 };
 

@@ -50,7 +50,7 @@ void limits_now(const struct simulation *s, double limit[LIMIT_COUNT])
     (s->plan->choice.is_implicit ? implicit_limits : explicit_limits)(s, speed, limit);
     limit[LIMIT_VISCOUS] = s->plan->choice.limits.viscous;
     limit[LIMIT_CAPILLARY] = s->plan->choice.limits.capillary;
-    if (!s->plan->choice.is_implicit) /* whose kick is exact */
+    if (!s->plan->choice.is_implicit || s->plan->choice.projects) /* others' kick is exact */
         limit[LIMIT_DAMPING] = s->plan->choice.limits.damping;
     limit[LIMIT_USER] = s->plan->choice.limits.user;
     limit[LIMIT_GROWTH] = 1.1 * s->last_dt;

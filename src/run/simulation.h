@@ -16,6 +16,7 @@ struct simulation {
     const struct backend_row *row;
     struct backend *backend;
     double time;              /* s, of the present state */
+    double dt;                /* the last step, s; 0 before the first */
     double last_dt;           /* natural limit of the last step, s */
     double least_dt;          /* a rejected step below this ends the run, s */
     struct extremes extremes; /* of the present state */

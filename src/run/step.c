@@ -24,7 +24,7 @@ static bool sweep_again(struct simulation *s, const struct step *step, int sweep
     bool ended = sweeps >= limit->most || !isfinite(step->residual);
     if (ended && !solved)
         stats->unsolved++;
-    if (s->plan->choice.enclosed && step->solve == SOLVE_SHIFT)
+    if (s->plan->choice.enclosed && !s->plan->choice.projects && step->solve == SOLVE_SHIFT)
         return sweeps < ENCLOSED_SWEEPS;
     return sweeps < limit->least || (!ended && !solved);
 }
@@ -67,7 +67,7 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
         if (!sweep_again(s, step, sweeps))
             return STATUS_OK;
         best = fmin(best, step->residual);
-        if (!(step->residual <= 1.5 * best)) { /* disorder narrows the window of the lattice */
+        if (!plan->choice.projects && !(step->residual <= 1.5 * best)) { /* disorder narrows the window of the lattice */
             *relax *= 0.6;
             best = step->residual;
             since = 0;
@@ -78,7 +78,7 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
 /* Whether a pass reports extremes, hence particles that must not move so. */
 static bool reports(enum pass_id id)
 {
-    return id == PASS_PREDICT || id == PASS_CORRECT || id == PASS_MOVE;
+    return id == PASS_PREDICT || id == PASS_CORRECT || id == PASS_MOVE || id == PASS_DRIFT;
 }
 
 enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, struct error *e)
@@ -86,7 +86,7 @@ enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, 
     const struct plan *plan = s->plan;
     /* A step that is redone starts its shift from nothing: what it had may be the cause. */
     float resume = redo ? 0 : (float)plan->choice.solves[SOLVE_SHIFT].resume;
-    struct step step = {.dt = (float)dt, .resume = resume};
+    struct step step = {.dt = (float)dt, .before = (float)s->dt, .resume = resume};
     double moved = 0;
     *bad = UINT32_MAX;
     s->row->begin(s->backend);
@@ -94,6 +94,8 @@ enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, 
         const struct pass_row *pass = plan->passes[k];
         if (pass->kind == PASS_ORDER)
             continue;
+        if (pass->id == PASS_FLOW || pass->id == PASS_CROWDING)
+            step.solve = pass->id == PASS_FLOW ? SOLVE_VELOCITY : SOLVE_SHIFT;
         if (pass->kind == PASS_LOOP ? run_loop(s, k, &k, &step, e)
                                     : step_pass(s, pass->id, &step, e))
             return e->status;
@@ -108,6 +110,7 @@ enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, 
         return STATUS_OK;
     }
     s->moved += moved;
+    s->dt = dt;
     s->extremes = step.extremes;
     return STATUS_OK;
 }

@@ -8,6 +8,7 @@
 
 static const struct variant *const rows[] = {
     &solver_wcsph.variant,
+    &solver_isph.variant,
     &solver_dfsph.variant,
     &solver_muller.variant,
 };

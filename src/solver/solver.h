@@ -10,6 +10,7 @@
 #include "solver/kernel.h"
 #include "solver/pair_constants.h"
 #include "solver/pass.h"
+#include "solver/projection.h"
 #include "solver/tension.h"
 
 #include <stdbool.h>
@@ -62,7 +63,9 @@ struct solver_choice {
     double pull;             /* largest expected acceleration by the central force, m/s^2 */
     bool enclosed;           /* bodies fill the domain: no free surface */
     bool is_implicit;        /* pressure by solving; particles move last in a step */
+    bool projects;           /* by Poisson's equation (solver/projection.h) */
     struct implicit_constants implicit;
+    struct projection_constants projection;
     struct solve_limits solves[SOLVE_COUNT]; /* by enum solve */
     bool implicit_viscosity; /* by solving, too; limits.viscous is then INFINITY */
     double viscous_step, other_step; /* the explicit viscous limit and the least other, s */
@@ -80,13 +83,16 @@ struct solver_row {
 };
 
 extern const struct variant_table solver_table; /* "solvers" */
-extern const struct solver_row solver_dfsph, solver_wcsph, solver_muller;
+extern const struct solver_row solver_isph, solver_dfsph, solver_wcsph, solver_muller;
 
 /* Everything that follows from the scene and its solver. `cell_volume` of each body, m^3, and the
  * number of particles of each fluid give the particle masses. */
 void solver_choose(const struct solver_row *solver, const struct scene *scene,
                    const struct space *space, const double *fluid_volume,
                    const size_t *fluid_particles, struct solver_choice *choice);
+
+/* Viscosity of implicit solvers: explicit, or solved for where that would bound the step. */
+void viscosity_choose(const struct scene *scene, struct solver_choice *choice);
 
 /* The part that optional accelerations have in it; each also bounds the step and raises the
  * expected speed. */

@@ -22,7 +22,7 @@ void cpu_external(struct backend *b, const struct step *step)
     const struct particles *p = &b->particles;
     const struct position *position = cpu_position(b);
     const float *gravity = b->choice.pair.gravity;
-    float dt = b->choice.is_implicit ? step->dt : 0;
+    float dt = b->choice.is_implicit && !b->choice.projects ? step->dt : 0;
     bool starts = b->choice.starts_rate;
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++) {

@@ -54,8 +54,8 @@ static enum status allocate(struct backend *b, struct error *e)
         b->fluid = memory_create("fluids of neighbours", padded, sizeof(float), e);
         ok = ok && b->fluid;
     }
-    if (!ok || rows_create(&b->rows, n, b->threads, e) ||
-        (w && rows_create(&b->wall_rows, n, b->threads, e)))
+    if (!ok || rows_create(&b->rows, n, b->threads, b->choice.projects, e) ||
+        (w && rows_create(&b->wall_rows, n, b->threads, false, e)))
         return e->status;
     return STATUS_OK;
 }
@@ -86,7 +86,7 @@ static enum status weigh_walls(struct backend *b, struct error *e)
     struct position *wall;
     float *number = memory_create("kernel sums", b->wall.count + PARTICLE_BLOCK, sizeof *number, e);
     if (!number || cpu_sort(b, &b->wall, &b->wall_cells, b->wall_axis, reach, e) ||
-        rows_create(&rows, b->wall.count, b->threads, e))
+        rows_create(&rows, b->wall.count, b->threads, false, e))
         goto done;
     wall = particles_position(&b->wall);
     work.cells = &b->wall_cells;
@@ -219,6 +219,20 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_DRAG_STEP: cpu_drag_step(b, step); break;
     case PASS_RESUME: cpu_resume(b, step); break;
     case PASS_MOVE: cpu_move(b, step); break;
+    case PASS_REWIND: cpu_rewind(b, step); break;
+    case PASS_STENCIL: cpu_projection(b, step, PAIR_PASS_STENCIL); break;
+    case PASS_SURFACE: cpu_projection(b, step, PAIR_PASS_SURFACE); break;
+    case PASS_ADVANCE: cpu_advance(b, step); break;
+    case PASS_FLOW: cpu_projection(b, step, PAIR_PASS_FLOW); break;
+    case PASS_CROWDING: cpu_crowding(b, step); break;
+    case PASS_PRODUCT: cpu_projection(b, step, PAIR_PASS_PRODUCT); break;
+    case PASS_RESIDUAL: cpu_residual(b, step); break;
+    case PASS_DESCENT: cpu_descent(b, step); break;
+    case PASS_SLOPES:
+        cpu_shifted(b);
+        cpu_projection(b, step, PAIR_PASS_SLOPES);
+        break;
+    case PASS_DRIFT: cpu_drift(b, step); break;
     case PASS_SOLVE_VELOCITY:
     case PASS_SOLVE_SHIFT:
     case PASS_SOLVE_VISCOSITY:

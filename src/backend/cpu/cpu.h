@@ -27,6 +27,7 @@ struct backend {
         double product; /* of the residual with itself, preconditioned, J/m^3 */
         double scale2;  /* what residuals are relative to */
     } drag;                          /* of the present solve of viscosity */
+    double descent;                  /* residual . residual / diagonal, of the projection's solves */
     pair_function *density, *force;
     struct backend_counts counts;
     char text[128];
@@ -63,6 +64,16 @@ void cpu_tension(struct backend *b, enum pair_pass pass);
 void cpu_drag_begin(struct backend *b, const struct step *step);
 void cpu_drag_residual(struct backend *b, struct step *step);
 void cpu_drag_step(struct backend *b, struct step *step);
+
+/* The projection solver: pair passes, and what is around them (solver/projection.h). */
+void cpu_projection(struct backend *b, const struct step *step, enum pair_pass pass);
+void cpu_rewind(struct backend *b, const struct step *step);
+void cpu_advance(struct backend *b, const struct step *step);
+void cpu_crowding(struct backend *b, const struct step *step);
+void cpu_shifted(struct backend *b);
+void cpu_residual(struct backend *b, struct step *step);
+void cpu_descent(struct backend *b, struct step *step);
+void cpu_drift(struct backend *b, struct step *step);
 
 /* The positions that forces are evaluated at: an implicit solver moves particles last. */
 const struct position *cpu_position(const struct backend *b);

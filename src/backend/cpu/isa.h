@@ -7,6 +7,7 @@
 #include "particles/particles.h"
 #include "solver/implicit.h"
 #include "solver/pair_constants.h"
+#include "solver/projection.h"
 #include "solver/shift.h"
 #include "solver/tension.h"
 
@@ -17,6 +18,7 @@
  * index, which times 8 is the address of its 16-byte record in one addressing mode. */
 struct row_block {
     uint32_t *index;
+    float *weight;   /* of each entry, where a solver keeps them (struct rows) */
     uint32_t length;
 };
 
@@ -76,6 +78,19 @@ struct tension_work {
     struct normal *normal;
 };
 
+/* What the projection solver's passes read and write besides. */
+struct projection_work {
+    const struct explicit_constants *each;
+    const struct projection_constants *constants;
+    const uint32_t *id;
+    float before, dt; /* s: the step that led to these positions, and the one that leaves them */
+    struct stencil *stencil;
+    struct unknown *unknown;
+    struct trial *trial;
+    struct motion *motion;
+    float *density, *surface, *direction, *product;
+};
+
 /* What a pair pass reads and writes; arrays are those of struct particles. */
 struct pair_work {
     struct pair_constants constants;
@@ -97,6 +112,7 @@ struct pair_work {
     size_t count;
     const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
     const struct shift_work *shifting;   /* of the shifting pass, or NULL */
+    const struct projection_work *projection; /* of the projection solver's passes, or NULL */
     const struct tension_work *tension;  /* of the passes of surface tension, or NULL */
 };
 
@@ -113,7 +129,12 @@ enum pair_pass {
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */
     PAIR_PASS_SWEEP,
     PAIR_PASS_DRAG_DIAGONAL, /* writes solve->product */
-    PAIR_PASS_DRAG
+    PAIR_PASS_DRAG,
+    PAIR_PASS_STENCIL, /* writes projection->stencil, density, surface and the rows' weights */
+    PAIR_PASS_SURFACE, /* completes projection->stencil, begins unknown */
+    PAIR_PASS_FLOW,    /* writes the rows of Poisson's equation and direction */
+    PAIR_PASS_PRODUCT, /* writes projection->product */
+    PAIR_PASS_SLOPES   /* writes projection->motion, rate, stencil->crowd */
 };
 
 struct isa_row {

@@ -269,6 +269,7 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
 #include "backend/cpu/drag_loops.h"
 #include "backend/cpu/shift_loops.h"
 #include "backend/cpu/tension_loops.h"
+#include "backend/cpu/projection_loops.h"
 
 static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls)
 {
@@ -285,6 +286,11 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_DRAG_DIAGONAL: return cubic ? drag_diagonal_cubic : drag_diagonal_wendland;
     case PAIR_PASS_DRAG: return cubic ? drag_cubic : drag_wendland;
     case PAIR_PASS_SHIFT: return cubic ? shift_cubic : shift_wendland;
+    case PAIR_PASS_STENCIL: return cubic ? stencil_cubic : stencil_wendland;
+    case PAIR_PASS_SURFACE: return surface_blocks;
+    case PAIR_PASS_FLOW: return flow_blocks;
+    case PAIR_PASS_PRODUCT: return product_blocks;
+    case PAIR_PASS_SLOPES: return slopes_blocks;
     case PAIR_PASS_FORCE: break;
     }
     return walls ? force_walls_table[flags] : force_table[flags];

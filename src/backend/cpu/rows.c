@@ -18,10 +18,11 @@ struct rows_arena {
     struct error error;
 };
 
-enum status rows_create(struct rows *rows, size_t points, int threads, struct error *e)
+enum status rows_create(struct rows *rows, size_t points, int threads, bool weighted,
+                        struct error *e)
 {
     size_t blocks = points / PARTICLE_BLOCK + 1;
-    *rows = (struct rows){.arena_count = threads};
+    *rows = (struct rows){.arena_count = threads, .weighted = weighted};
     rows->block = memory_create("neighbour rows", blocks, sizeof *rows->block, e);
     rows->count = memory_create("neighbour rows", blocks * PARTICLE_BLOCK, sizeof *rows->count, e);
     rows->arena = memory_create("neighbour rows", (size_t)threads, sizeof *rows->arena, e);
@@ -87,11 +88,12 @@ static enum status build_block(struct rows *rows, struct rows_arena *arena,
         arena->entries += scratch->count[l];
     }
     size_t whole = (length + 3) & ~3u; /* interleave works on four entries at a time */
-    uint32_t *taken = arena_take(arena, whole * PARTICLE_BLOCK);
+    size_t room = whole * PARTICLE_BLOCK;
+    uint32_t *taken = arena_take(arena, rows->weighted ? 2 * room : room);
     if (!taken)
         return error_set(&arena->error, STATUS_RUN, "out of memory for neighbour rows");
     isa->interleave(scratch, length, taken);
-    rows->block[block] = (struct row_block){taken, length};
+    rows->block[block] = (struct row_block){taken, rows->weighted ? (float *)(taken + room) : NULL, length};
     memcpy(rows->count + block * PARTICLE_BLOCK, scratch->count, sizeof scratch->count);
     return STATUS_OK;
 }

@@ -13,9 +13,11 @@ struct rows {
     struct rows_arena *arena;
     int arena_count;
     double entries;          /* sum of count */
+    bool weighted;           /* room for a weight beside each entry */
 };
 
-enum status rows_create(struct rows *rows, size_t points, int threads, struct error *e);
+enum status rows_create(struct rows *rows, size_t points, int threads, bool weighted,
+                        struct error *e);
 
 /* Builds all rows; `pad_self` repeats the particle itself behind a short row, otherwise 0. */
 enum status rows_build(struct rows *rows, const struct row_build *work, const struct isa_row *isa,

@@ -1,0 +1,241 @@
+/* The loops around the projection solver's pair bodies; part of pair_loops.h. */
+
+#include "solver/pair_projection.h"
+
+/* Row of LANES particles and the F_ij beside it. */
+struct lane_row {
+    const uint32_t *index;
+    float *weight;
+    uint32_t length;
+};
+
+FORCE_INLINE struct lane_row lane_row(const struct pair_work *w, size_t i)
+{
+    const struct row_block *block = &w->rows[i / PARTICLE_BLOCK];
+    return (struct lane_row){block->index + i % PARTICLE_BLOCK, block->weight + i % PARTICLE_BLOCK,
+                             longest(w->row_count + i)};
+}
+
+/* x_i - x_j, in smoothing lengths. */
+FORCE_INLINE void pair_distance(const struct lane_point *i, const real other[4], real x[3])
+{
+    x[0] = real_difference(i->x, other[0]) * i->sx;
+    x[1] = real_difference(i->y, other[1]) * i->sy;
+    x[2] = real_difference(i->z, other[2]) * i->sz;
+}
+
+FORCE_INLINE void stencil_store(const struct pair_work *w, size_t i, const struct pair_stencils *s)
+{
+    const struct projection_work *t = w->projection;
+    float out[14][LANES];
+    real_store(out[0], s->number);
+    real_store(out[1], s->weight);
+    for (int a = 0; a < 3; a++) {
+        real_store(out[2 + a], s->toward[a]);
+        real_store(out[5 + a], s->crowd[a]);
+    }
+    for (int k = 0; k < 6; k++)
+        real_store(out[8 + k], s->moment[k]);
+    for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+        struct stencil_sums sums = {.number = out[0][l], .weight = out[1][l]};
+        size_t k = i + l;
+        for (int a = 0; a < 3; a++) {
+            sums.toward[a] = settled(out[2 + a][l]);
+            sums.crowd[a] = settled(out[5 + a][l]);
+        }
+        for (int m = 0; m < 6; m++)
+            sums.moment[m] = settled(out[8 + m][l]);
+        float ratio = projection_stencil(t->each, t->constants, &w->position[k], &sums,
+                                         &t->stencil[k]);
+        t->density[k] = t->each->rest_density[w->fluid ? w->fluid[k] : 0] * ratio;
+        t->surface[k] = !t->constants->enclosed && 1 - ratio > t->constants->loose ? 1 : 0;
+    }
+}
+
+FORCE_INLINE void stencil_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
+                                 const unsigned flags)
+{
+    const struct projection_work *t = w->projection;
+    real closeness = real_set(t->constants->closeness), far = real_set(16);
+    real laplacian = real_set(t->constants->laplacian);
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        struct lane_row row = lane_row(w, i);
+        real volume, zero = real_set(0);
+        struct lane_point point = point_load(w, i, &volume);
+        struct pair_stencils s = {.number = volume * real_set(w->constants.self), .weight = zero};
+        for (int a = 0; a < 3; a++)
+            s.toward[a] = s.crowd[a] = s.moment[a] = s.moment[3 + a] = zero;
+        for (uint32_t k = 0; k < row.length; k++) {
+            real other[4];
+            records_load(w->position, row.index + (size_t)k * PARTICLE_BLOCK, other);
+            struct pair p = pair_between(&point, other);
+            p.q = real_below(k, w->row_count + i, p.q, far);
+            real f = pair_stencil(&s, &p, other[3], closeness, laplacian, flags);
+            real_store(row.weight + (size_t)k * PARTICLE_BLOCK, f);
+        }
+        stencil_store(w, i, &s);
+    }
+}
+
+static void stencil_wendland(const struct pair_work *w, size_t first, size_t last)
+{
+    stencil_blocks(w, first, last, 0);
+}
+static void stencil_cubic(const struct pair_work *w, size_t first, size_t last)
+{
+    stencil_blocks(w, first, last, KERNEL_CUBIC);
+}
+
+/* Whether the particle or any neighbour is at the surface; neighbours at the rim of the support count
+ * less, so that rows may hold more than needed. */
+static void surface_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
+{
+    const struct projection_work *t = w->projection;
+    real rim = real_set(1e3f * t->each->h * t->each->h), one = real_set(1);
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        struct lane_row row = lane_row(w, i);
+        real most = real_load(t->surface + i);
+        float out[LANES];
+        for (uint32_t k = 0; k < row.length; k++) {
+            real f = real_load(row.weight + (size_t)k * PARTICLE_BLOCK);
+            real near = one - real_positive(one - rim * f);
+            real other = lookup_load(t->surface, row.index + (size_t)k * PARTICLE_BLOCK);
+            most = pair_larger(near * other, most);
+        }
+        real_store(out, most);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++)
+            projection_surface(t->each, out[l], &t->stencil[i + l], &t->unknown[i + l]);
+    }
+}
+
+/* The right-hand side, from sum F (u_i - u_j) x and the largest F |u_ij|^2. */
+static inline void flow_store(const struct pair_work *w, size_t k, const float sum[9], float speed2)
+{
+    const struct projection_work *t = w->projection;
+    const struct projection_constants *c = t->constants;
+    struct stencil *s = &t->stencil[k];
+    struct unknown *row = &t->unknown[k];
+    float tensor[9], half = 0.5f * t->each->h;
+    for (int a = 0; a < 9; a++)
+        tensor[a] = half * settled(sum[a]);
+    float divergence = projection_divergence(s, tensor, w->motion[k].velocity);
+    float close = settled(speed2) / (c->laplacian * c->volume[0] * c->slope);
+    s->speed = sqrtf(close > 0 ? close : 0);
+    projection_row(c, s, t->each->rest_density[w->fluid ? w->fluid[k] : 0], t->before,
+                   divergence, w->motion[k].pressure, row);
+    t->direction[k] = row->value;
+}
+
+static void flow_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
+{
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        struct lane_row row = lane_row(w, i);
+        real volume, own[4], zero = real_set(0);
+        struct lane_point point = point_load(w, i, &volume);
+        struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero}, zero};
+        float out[10][LANES];
+        records_load(w->motion + i, lane_ramp, own);
+        for (uint32_t k = 0; k < row.length; k++) {
+            const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
+            real other[4], motion[4], x[3];
+            records_load(w->position, index, other);
+            records_load(w->motion, index, motion);
+            pair_distance(&point, other, x);
+            pair_flow(&s, x, own, motion, real_load(row.weight + (size_t)k * PARTICLE_BLOCK));
+        }
+        for (int a = 0; a < 9; a++)
+            real_store(out[a], s.tensor[a]);
+        real_store(out[9], s.speed2);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+            float sum[9];
+            for (int a = 0; a < 9; a++)
+                sum[a] = out[a][l];
+            flow_store(w, i + l, sum, out[9][l]);
+        }
+    }
+}
+
+/* The matrix times `direction`. */
+static void product_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
+{
+    const struct projection_work *t = w->projection;
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        struct lane_row row = lane_row(w, i);
+        real even = real_set(0), odd = real_set(0);
+        float out[LANES];
+        uint32_t k = 0;
+        for (; k + 1 < row.length; k += 2) {
+            const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
+            const float *weight = row.weight + (size_t)k * PARTICLE_BLOCK;
+            even = real_fma(real_load(weight), lookup_load(t->direction, index), even);
+            odd = real_fma(real_load(weight + PARTICLE_BLOCK),
+                           lookup_load(t->direction, index + PARTICLE_BLOCK), odd);
+        }
+        if (k < row.length)
+            even = real_fma(real_load(row.weight + (size_t)k * PARTICLE_BLOCK),
+                            lookup_load(t->direction, row.index + (size_t)k * PARTICLE_BLOCK),
+                            even);
+        real_store(out, even + odd);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++)
+            t->product[i + l] =
+                t->unknown[i + l].diagonal * t->direction[i + l] - settled(out[l]);
+    }
+}
+
+/* Velocity, acceleration and shift from the sums F (p_i - p_j) x of the three fields. */
+static inline void slopes_store(const struct pair_work *w, size_t k, const float sum[9])
+{
+    const struct projection_work *t = w->projection;
+    struct stencil *s = &t->stencil[k];
+    struct motion *v = &t->motion[k];
+    struct rate *rate = &w->rate[k];
+    float rest = t->each->rest_density[w->fluid ? w->fluid[k] : 0], half = 0.5f * t->each->h;
+    float d[9], beyond[3], gradient[3][3];
+    static const float none[3];
+    for (int a = 0; a < 9; a++)
+        d[a] = half * settled(sum[a]);
+    for (int a = 0; a < 3; a++)
+        beyond[a] = t->before > 0 ? v->velocity[a] * (2 * rest / t->before) : 0;
+    projection_gradient(s, t->trial[k].pressure, d, beyond, gradient[0]);
+    for (int a = 0; a < 3; a++)
+        beyond[a] = rest * rate->acceleration[a];
+    projection_gradient(s, t->trial[k].mean, d + 3, beyond, gradient[1]);
+    projection_gradient(s, t->trial[k].shift, d + 6, none, gradient[2]);
+    projection_shift(t->each, t->constants, s, t->id[k], t->dt, gradient[2], s->crowd);
+    for (int a = 0; a < 3; a++) {
+        rate->acceleration[a] -= gradient[1][a] / rest;
+        v->velocity[a] += 0.5f * (t->dt * rate->acceleration[a] -
+                                  t->before / rest * gradient[0][a]);
+    }
+    rate->density = t->trial[k].shift;
+    v->pressure = t->trial[k].mean;
+}
+
+static void slopes_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
+{
+    const struct projection_work *t = w->projection;
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        struct lane_row row = lane_row(w, i);
+        real volume, own[4], zero = real_set(0);
+        real sum[9] = {zero, zero, zero, zero, zero, zero, zero, zero, zero};
+        struct lane_point point = point_load(w, i, &volume);
+        float out[9][LANES];
+        records_load(t->trial + i, lane_ramp, own);
+        for (uint32_t k = 0; k < row.length; k++) {
+            const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
+            real other[4], trial[4], x[3];
+            records_load(w->position, index, other);
+            records_load(t->trial, index, trial);
+            pair_distance(&point, other, x);
+            pair_slopes(sum, x, own, trial, real_load(row.weight + (size_t)k * PARTICLE_BLOCK));
+        }
+        for (int a = 0; a < 9; a++)
+            real_store(out[a], sum[a]);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+            float one[9];
+            for (int a = 0; a < 9; a++)
+                one[a] = out[a][l];
+            slopes_store(w, i + l, one);
+        }
+    }
+}

@@ -1,0 +1,71 @@
+/* The pair sums of the projection solver (solver/projection.h); in lanes, like solver/pair.h.
+ *
+ * The kernel is evaluated once a step, in the stencil; later passes read its F_ij from the row, from
+ * which V_j grad W = -F_ij (x_i - x_j)/2 follows. */
+#ifndef SOLVER_PAIR_PROJECTION_H
+#define SOLVER_PAIR_PROJECTION_H
+
+#include "solver/pair_shift.h"
+
+struct pair_stencils {
+    real number, weight;
+    real toward[3], crowd[3];
+    real moment[6]; /* xx yy zz xy xz yz */
+};
+
+/* Adds a neighbour; returns F_ij. */
+static inline __attribute__((always_inline)) real pair_stencil(struct pair_stencils *s,
+                              const struct pair *p, real volume, real closeness, real laplacian,
+                              unsigned flags)
+{
+    real weight = volume * pair_slope(p, flags), value = pair_value(p, flags);
+    real close = closeness * value, close2 = close * close;
+    real push = weight * real_fma(real_set(0.2f) * close2, close2, real_set(1));
+    real wx = weight * p->x, wy = weight * p->y, wz = weight * p->z, f = laplacian * weight;
+    s->number = real_fma(volume, value, s->number);
+    s->toward[0] = s->toward[0] + wx;
+    s->toward[1] = s->toward[1] + wy;
+    s->toward[2] = s->toward[2] + wz;
+    s->crowd[0] = real_fma(push, p->x, s->crowd[0]);
+    s->crowd[1] = real_fma(push, p->y, s->crowd[1]);
+    s->crowd[2] = real_fma(push, p->z, s->crowd[2]);
+    s->moment[0] = real_fma(wx, p->x, s->moment[0]);
+    s->moment[1] = real_fma(wy, p->y, s->moment[1]);
+    s->moment[2] = real_fma(wz, p->z, s->moment[2]);
+    s->moment[3] = real_fma(wx, p->y, s->moment[3]);
+    s->moment[4] = real_fma(wx, p->z, s->moment[4]);
+    s->moment[5] = real_fma(wy, p->z, s->moment[5]);
+    s->weight = s->weight + f;
+    return f;
+}
+
+/* Sums of sum F (u_i - u_j)_a x_b, and the largest F |u_ij|^2. */
+struct pair_flows {
+    real tensor[9], speed2;
+};
+
+static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s,
+                              const real x[3], const real own[4], const real other[4], real f)
+{
+    real square = real_set(0);
+    for (int a = 0; a < 3; a++) {
+        real u = own[a] - other[a], fu = f * u;
+        square = real_fma(u, u, square);
+        for (int b = 0; b < 3; b++)
+            s->tensor[3 * a + b] = real_fma(fu, x[b], s->tensor[3 * a + b]);
+    }
+    s->speed2 = pair_larger(f * square, s->speed2);
+}
+
+/* sum F (p_i - p_j) x of the three fields of struct trial. */
+static inline __attribute__((always_inline)) void pair_slopes(real sum[9], const real x[3],
+                              const real own[4], const real other[4], real f)
+{
+    for (int k = 0; k < 3; k++) {
+        real rise = f * (own[k] - other[k]);
+        for (int a = 0; a < 3; a++)
+            sum[3 * k + a] = real_fma(rise, x[a], sum[3 * k + a]);
+    }
+}
+
+#endif

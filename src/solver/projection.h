@@ -1,0 +1,338 @@
+/* What the projection solver does to each particle, around the sums over its neighbours.
+ *
+ * Incompressible SPH by projection (Cummins & Rudman 1999; Lind et al. 2012), in kick-drift-kick
+ * form. A step begins with positions x(n), the velocity w(n) = v(n-1/2) + a dt/2 predicted there and
+ * the pressure Q of the last step:
+ *   u = v(n-1/2) + dt/2 (g + viscosity)                       kick without pressure
+ *   sum_j F_ij (P_i - P_j) + s_i P_i = -2 rho/dt div_i u      Poisson's equation
+ *   v(n) = u - dt/(2 rho) grad P,   Q <- (Q + P)/2
+ *   a = g + viscosity - grad Q/rho
+ *   v(n+1/2) = v(n) + a dt/2;  x(n+1) = x(n) + dt v(n+1/2) + shift
+ * Q is the mean pressure of the step that ended; P makes up for what it was wrong by, so that the
+ * two half kicks together are of second order and no error of Q alternates from step to step.
+ *
+ * F_ij = -2 V_j W'/r is the Laplacian of Morris et al. 1997: symmetric, its off-diagonal entries of
+ * one sign, so that P >= 0 wherever fluid is compressed and conjugate gradients converge fast.
+ *   walls   dP/dn = 0 as F lacks the neighbours behind it; fluid mirrored in the plane comes closer
+ *           at twice the normal speed, which makes div u consistent with F for P linear
+ *   surface P = 0 at a distance e above the particle: s = 2 |G|/e, with G what the gradients of the
+ *           kernel lack and e from the lack of density by the inverse of the half space's table.
+ *           A linear P is then exact there too. (Instead of particles declared to be the surface.)
+ * Deep inside, gradients are corrected by the inverse first moment (Randles & Libersky 1996) and use
+ * P_j - P_i; near a surface they use P_j + P_i, which with the plain divergence is its adjoint and
+ * gains no energy. In the common subset of C and CUDA. */
+#ifndef SOLVER_PROJECTION_H
+#define SOLVER_PROJECTION_H
+
+#include "solver/explicit.h"
+
+struct projection_constants {
+    float gradient;   /* struct pair_constants */
+    float laplacian;  /* -2 gradient / h, 1/m^2: times V slope it is F */
+    float volume[FLUIDS_MAX]; /* V = m / rho0, in d^3 */
+    float loose;      /* lack of density from which a particle is at the surface */
+    float torn;       /* and from which its fluid comes apart without resistance */
+    float gain;       /* part of a density error that a step's shift takes back */
+    float slack;      /* density error that is left at a surface */
+    float most;       /* density error that one step takes back at most */
+    float fickian;    /* 2 A h, m: shift per gradient of concentration, speed and time */
+    float fringe;     /* part of it at a surface */
+    float closeness;  /* 1 / w(d) */
+    float slope;      /* of the kernel at d, as in F; negative */
+    bool enclosed;    /* no surface */
+};
+
+/* What does not change during a step's solves: 28 words. */
+struct stencil {
+    float inverse[6];  /* B, inverse of -sum V_j x (x) grad W with what walls lack: xx yy zz xy xz yz */
+    float toward[3];   /* G = sum V_j grad W, 1/m */
+    float wall[3];     /* what walls add to it, 1/m */
+    float missing[3];  /* what they lack in the first moment, along their normals */
+    float along[3];    /* 1 / what other axes' walls leave open */
+    float crowd[3];    /* sum V_j (1 + 0.2 (W/W(d))^4) grad W with walls, 1/m */
+    float lack;        /* 1 - rho/rho0 */
+    float spread;      /* sum F, 1/m^2 */
+    float fringe;      /* 1 near a surface, 0 inside */
+    float speed;       /* U: largest close speed difference to a neighbour, m/s */
+    float spare[3];
+};
+
+/* One row of a linear system that conjugate gradients solve. */
+struct unknown {
+    float diagonal; /* 1/m^2 */
+    float inverse;  /* 1 / diagonal; 0: the unknown stays as it is */
+    float residual;
+    float value;    /* Pa; of a shift m^2 */
+};
+
+/* What gradients are taken of. */
+struct trial {
+    float pressure; /* P, Pa */
+    float mean;     /* Q, Pa */
+    float shift;    /* m^2: its negative gradient is the displacement */
+    float spare;
+};
+
+/* Sums over the neighbours of what first depends on positions only. */
+struct stencil_sums {
+    float number;    /* sum V_j w */
+    float toward[3]; /* sum V_j slope x */
+    float crowd[3];  /* the same, closer ones counting more */
+    float moment[6]; /* sum V_j slope x (x) x: xx yy zz xy xz yz */
+    float weight;    /* sum F */
+};
+
+/* Walls' shares: `wall`, `missing`, `along`; returns the share of the density. */
+static inline float projection_walls(const struct explicit_constants *c, const struct position *x,
+                                     struct stencil *s)
+{
+    float open[3];
+    for (int a = 0; a < 3; a++)
+        s->wall[a] = s->missing[a] = 0;
+    bool near = explicit_open(c, x, open);
+    for (int a = 0; a < 3; a++)
+        s->along[a] = 1 / (open[(a + 1) % 3] * open[(a + 2) % 3]);
+    if (!near)
+        return 0;
+    for (int face = 0; face < 6; face++) {
+        int n = face / 2;
+        uint32_t count = plane_counts(c, face, x);
+        if (count >= c->near[n])
+            continue;
+        float q = (float)count * c->q_per_count[n];
+        float part = open[(n + 1) % 3] * open[(n + 2) % 3];
+        float area = c->normal * part * plane_value(c->planes.area, q);
+        s->wall[n] += (face & 1 ? area : -area) / c->h;
+        s->missing[n] += part * plane_value(c->planes.volume, q) + area * q;
+    }
+    return 1 - open[0] * open[1] * open[2];
+}
+
+/* B from the first moment; the identity where too few neighbours span it. Returns whether it is. */
+static inline bool projection_inverse(const float m[6], float inverse[6])
+{
+    float xx = m[1] * m[2] - m[5] * m[5], xy = m[4] * m[5] - m[3] * m[2];
+    float xz = m[3] * m[5] - m[4] * m[1];
+    float det = m[0] * xx + m[3] * xy + m[4] * xz;
+    bool spanned = det > 0.1f;
+    float one = spanned ? 1 / det : 0, same = spanned ? 0 : 1;
+    inverse[0] = one * xx + same;
+    inverse[1] = one * (m[0] * m[2] - m[4] * m[4]) + same;
+    inverse[2] = one * (m[0] * m[1] - m[3] * m[3]) + same;
+    inverse[3] = one * xy;
+    inverse[4] = one * xz;
+    inverse[5] = one * (m[3] * m[4] - m[0] * m[5]);
+    return spanned;
+}
+
+/* From the sums; returns rho/rho0. */
+static inline float projection_stencil(const struct explicit_constants *c,
+                                       const struct projection_constants *m,
+                                       const struct position *x, const struct stencil_sums *sums,
+                                       struct stencil *s)
+{
+    float share = projection_walls(c, x, s), moment[6];
+    float ratio = c->number_density * sums->number + share;
+    for (int k = 0; k < 6; k++)
+        moment[k] = -m->gradient * c->h * sums->moment[k];
+    for (int a = 0; a < 3; a++) {
+        moment[a] += s->missing[a];
+        s->toward[a] = m->gradient * sums->toward[a];
+        s->crowd[a] = m->gradient * sums->crowd[a] + s->wall[a];
+    }
+    s->fringe = projection_inverse(moment, s->inverse) ? 0 : 1;
+    s->lack = 1 - ratio;
+    s->spread = sums->weight;
+    s->speed = 0;
+    return ratio;
+}
+
+/* The distance to the surface, in smoothing lengths, of fluid with a flat surface that lacks so much
+ * density: where the table of half spaces, which falls, has that value. */
+static inline float projection_depth(const struct explicit_constants *c, float lack)
+{
+    int low = 0, high = PLANE_STEPS;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (c->planes.volume[middle] > lack)
+            low = middle;
+        else
+            high = middle;
+    }
+    float step = c->planes.volume[low] - c->planes.volume[high];
+    float part = step > 0 ? (c->planes.volume[low] - lack) / step : 0;
+    part = part < 0 ? 0 : part > 1 ? 1 : part;
+    return ((float)low + part) * (2.0f / PLANE_STEPS);
+}
+
+/* After `loose` is known of the particle and its neighbours (1 of any): what depends on the surface.
+ * Inside, walls make up exactly for what the kernel's gradients lack. */
+static inline void projection_surface(const struct explicit_constants *c,
+                                      float loose, struct stencil *s, struct unknown *row)
+{
+    float sink = 0, size2 = 0;
+    if (loose > 0)
+        s->fringe = 1;
+    for (int a = 0; a < 3; a++) {
+        if (!(loose > 0) && s->wall[a] != 0)
+            s->wall[a] = -s->toward[a];
+        float lacks = s->toward[a] + s->wall[a];
+        size2 += lacks * lacks;
+    }
+    if (loose > 0 && s->lack > 0) {
+        float depth = projection_depth(c, s->lack) * c->h, least = 0.25f * c->spacing;
+        sink = 2 * sqrtf(size2) / (depth < least ? least : depth);
+    }
+    row->diagonal = s->spread + sink;
+    row->inverse = row->diagonal * c->h * c->h > 1e-4f ? 1 / row->diagonal : 0;
+}
+
+/* div u from sum V_j slope x_b (u_j - u_i)_a, times -gradient: tensor[3 a + b]. */
+static inline float projection_divergence(const struct stencil *s, const float tensor[9],
+                                          const float u[3])
+{
+    const float *b = s->inverse;
+    float sum = 0;
+    if (s->fringe > 0 || s->wall[0] != 0 || s->wall[1] != 0 || s->wall[2] != 0) {
+        for (int a = 0; a < 3; a++)
+            sum += s->along[a] * tensor[4 * a] - 2 * u[a] * s->wall[a];
+        return sum;
+    }
+    return b[0] * tensor[0] + b[1] * tensor[4] + b[2] * tensor[8] +
+           b[3] * (tensor[1] + tensor[3]) + b[4] * (tensor[2] + tensor[6]) +
+           b[5] * (tensor[5] + tensor[7]);
+}
+
+/* The row of Poisson's equation, with a step `before` that ended with these positions; none: the
+ * pressure stays. Torn fluid that expands has no pressure. */
+static inline void projection_row(const struct projection_constants *m, const struct stencil *s,
+                                  float rest, float before, float divergence, float pressure,
+                                  struct unknown *row)
+{
+    row->value = pressure;
+    row->residual = before > 0 ? -2 * rest / before * divergence : 0;
+    bool expands = !m->enclosed && s->lack > m->torn && divergence > 0;
+    if (expands)
+        row->value = 0;
+    if (expands || !(before > 0))
+        row->inverse = 0;
+}
+
+/* grad p from difference = sum V_j (p_j - p_i) grad W; `beyond` is what walls continue it by, along
+ * each axis: the force per volume that they must balance, Pa/m. */
+static inline void projection_gradient(const struct stencil *s, float p, const float difference[3],
+                                       const float beyond[3], float gradient[3])
+{
+    const float *b = s->inverse;
+    if (s->fringe > 0) {
+        for (int a = 0; a < 3; a++)
+            gradient[a] = s->along[a] * (difference[a] + 2 * p * (s->toward[a] + s->wall[a]));
+        return;
+    }
+    float d[3];
+    for (int a = 0; a < 3; a++)
+        d[a] = difference[a] + s->missing[a] * beyond[a];
+    gradient[0] = b[0] * d[0] + b[3] * d[1] + b[4] * d[2];
+    gradient[1] = b[3] * d[0] + b[1] * d[1] + b[5] * d[2];
+    gradient[2] = b[4] * d[0] + b[5] * d[1] + b[2] * d[2];
+}
+
+/* The density error that a shift takes back a part of. Where fluid is enclosed the mean cannot
+ * change; at a surface only compression counts. */
+static inline float projection_crowding(const struct projection_constants *m,
+                                        const struct stencil *s, float mean)
+{
+    float error = -s->lack;
+    if (s->fringe > 0)
+        error = error > m->slack ? error - m->slack : 0;
+    else
+        error -= mean;
+    error = error > m->most ? m->most : error < -m->most ? -m->most : error;
+    return m->gain * error;
+}
+
+/* With P in `unknown`, which torn fluid does not have below 0: the mean pressure Q, and the row of the
+ * equation sum_j F_ij (f_i - f_j) + s_i f_i = gain (rho/rho0 - 1) of the shift, that begins from
+ * `shift`. */
+static inline void projection_pressures(const struct projection_constants *m, float h,
+                                        const struct stencil *s, float mean, float before,
+                                        float old, float shift, struct unknown *row,
+                                        struct trial *trial, float *direction)
+{
+    float p = row->value < 0 && s->lack > m->torn && !m->enclosed ? 0 : row->value;
+    trial->pressure = p;
+    trial->mean = before > 0 ? 0.5f * (old + p) : old;
+    row->inverse = row->diagonal * h * h > 1e-4f ? 1 / row->diagonal : 0;
+    row->residual = projection_crowding(m, s, mean);
+    row->value = *direction = row->inverse > 0 ? shift : 0;
+}
+
+/* Component of a direction of the particle's own, -1 to 1: the bits of `word` well mixed
+ * (Appleby's finalizer of MurmurHash3). */
+static inline float projection_stir(uint32_t word)
+{
+    word ^= word >> 16;
+    word *= 0x85ebca6bu;
+    word ^= word >> 13;
+    word *= 0xc2b2ae35u;
+    word ^= word >> 16;
+    return (float)(int32_t)word * 0x1p-31f;
+}
+
+#define PROJECTION_STIR 0.2f
+
+/* Displacement of a step: down the gradient of `shift`, which evens out the density, and down the
+ * gradient of concentration (Lind et al. 2012) in proportion to the speed differences around, so that
+ * nothing shifts at rest; at a surface along it only. A lattice under strain is in balance by
+ * symmetry and collapses late and violently unless it is stirred. */
+static inline void projection_shift(const struct explicit_constants *c,
+                                    const struct projection_constants *m, const struct stencil *s,
+                                    uint32_t id, float dt, const float gradient[3], float shift[3])
+{
+    float most = s->speed * dt, part = 1, along = 0, size2 = 0, fick[3];
+    if (s->fringe > 0 && !m->enclosed) {
+        float lacks2 = 1e-12f, dot = 0;
+        part = s->lack > 1.3f * m->torn ? 0 : m->fringe;
+        for (int a = 0; a < 3; a++) {
+            float lacks = s->toward[a] + s->wall[a];
+            lacks2 += lacks * lacks;
+            dot += lacks * s->crowd[a];
+        }
+        along = s->lack > m->loose ? dot / lacks2 : 0;
+    }
+    for (uint32_t a = 0; a < 3; a++) {
+        float crowd = s->crowd[a] - along * (s->toward[a] + s->wall[a]);
+        float stir = s->fringe > 0 ? 0 : PROJECTION_STIR * projection_stir(3 * id + a);
+        fick[a] = part * most * (stir - m->fickian * crowd);
+        size2 += fick[a] * fick[a];
+    }
+    float limit = size2 > most * most ? most / sqrtf(size2) : 1, largest = 0.1f * c->spacing;
+    for (int a = 0; a < 3; a++) {
+        float lift = -gradient[a];
+        lift = lift > largest ? largest : lift < -largest ? -largest : lift;
+        shift[a] = lift + limit * fick[a];
+    }
+}
+
+/* Second half of a step: moves a particle by v(n+1/2) dt + shift, off closed planes; v becomes the
+ * velocity predicted there. Returns the square of the distance, m^2 (INFINITY when runaway). */
+static inline float projection_move(const struct explicit_constants *c, float dt,
+                                    const struct position *x0, const float acceleration[3],
+                                    const float shift[3], struct position *x, struct motion *v)
+{
+    float move2 = 0;
+    for (int a = 0; a < 3; a++) {
+        float half = explicit_rest(c, v->velocity[a]), move = half * dt + shift[a];
+        move2 += move * move;
+        if (!(fabsf(move) <= c->spacing))
+            return INFINITY;
+        x->count[a] = x0->count[a] + (uint32_t)(int32_t)lrintf(move * c->per_metre[a]);
+        if (c->closed[a] && ((int32_t)x->count[a] < (int32_t)c->low[a] || x->count[a] > c->high[a]))
+            x->count[a] = explicit_bounce(c, a, x->count[a], &half);
+        v->velocity[a] = half + 0.5f * dt * acceleration[a];
+    }
+    x->volume = x0->volume;
+    return move2;
+}
+
+#endif

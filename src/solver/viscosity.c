@@ -1,0 +1,31 @@
+/* Chooses how an implicit solver treats viscosity. */
+#include "scene/key.h"
+#include "solver/solver.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { DRAG_ITERATIONS_MAX = 200 };
+
+/* Viscosity is solved for where explicit steps would be the shortest: below those in which the
+ * fastest expected flow moves a particle by cfl 0.4 d and gravity lets it fall d / 200. */
+void viscosity_choose(const struct scene *scene, struct solver_choice *choice)
+{
+    const char *asked = scene_text(scene, "solver.viscosity");
+    const double *g = scene->gravity;
+    double gravity = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    double flow = choice->cfl * 0.4 * choice->spacing / choice->fastest;
+    double fall = 0.1 * sqrt(choice->spacing / gravity);
+    choice->viscous_step = choice->limits.viscous;
+    choice->other_step = fmin(choice->limits.user, fmin(flow, fall));
+    if (!(choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)))
+        return;
+    choice->flags |= PAIR_DRAG_ONLY;
+    choice->implicit_viscosity = strcmp(asked, "implicit") == 0 ||
+        (strcmp(asked, "auto") == 0 && choice->viscous_step < choice->other_step);
+    if (choice->implicit_viscosity)
+        choice->limits.viscous = INFINITY;
+    choice->solves[SOLVE_VISCOSITY] = (struct solve_limits){
+        .tolerance = scene_real(scene, "solver.viscosity_error"), .least = 1,
+        .most = DRAG_ITERATIONS_MAX};
+}
