@@ -39,9 +39,9 @@ static inline __attribute__((always_inline)) real pair_stencil(struct pair_stenc
     return f;
 }
 
-/* Sums of sum F (u_i - u_j)_a x_b, and the largest F |u_ij|^2. */
+/* Sums F (u_i - u_j)_a x_b and F p_j, and the largest F |u_ij|^2. */
 struct pair_flows {
-    real tensor[9], speed2;
+    real tensor[9], around, speed2;
 };
 
 static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s,
@@ -54,6 +54,7 @@ static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s
         for (int b = 0; b < 3; b++)
             s->tensor[3 * a + b] = real_fma(fu, x[b], s->tensor[3 * a + b]);
     }
+    s->around = real_fma(f, other[3], s->around);
     s->speed2 = pair_larger(f * square, s->speed2);
 }
 

@@ -54,7 +54,8 @@ struct stencil {
     float spread;      /* sum F, 1/m^2 */
     float fringe;      /* 1 near a surface, 0 inside */
     float speed;       /* U: largest close speed difference to a neighbour, m/s */
-    float spare[3];
+    float crowding;    /* sum F_ij f_j of the last step's shift, m^2 / m^2 */
+    float spare[2];
 };
 
 /* One row of a linear system that conjugate gradients solve. */
@@ -166,9 +167,10 @@ static inline float projection_depth(const struct explicit_constants *c, float l
 }
 
 /* After `loose` is known of the particle and its neighbours (1 of any): what depends on the surface.
- * Inside, walls make up exactly for what the kernel's gradients lack. */
+ * Inside, walls make up exactly for what the kernel's gradients lack. `crowding` is kept. */
 static inline void projection_surface(const struct explicit_constants *c,
-                                      float loose, struct stencil *s, struct unknown *row)
+                                      float loose, float crowding, struct stencil *s,
+                                      struct unknown *row)
 {
     float sink = 0, size2 = 0;
     if (loose > 0)
@@ -183,6 +185,7 @@ static inline void projection_surface(const struct explicit_constants *c,
         float depth = projection_depth(c, s->lack) * c->h, least = 0.25f * c->spacing;
         sink = 2 * sqrtf(size2) / (depth < least ? least : depth);
     }
+    s->crowding = crowding;
     row->diagonal = s->spread + sink;
     row->inverse = row->diagonal * c->h * c->h > 1e-4f ? 1 / row->diagonal : 0;
 }
@@ -203,18 +206,18 @@ static inline float projection_divergence(const struct stencil *s, const float t
            b[5] * (tensor[5] + tensor[7]);
 }
 
-/* The row of Poisson's equation, with a step `before` that ended with these positions; none: the
- * pressure stays. Torn fluid that expands has no pressure. */
+/* The row of Poisson's equation for a step `before` that ended with these positions; none: the
+ * pressure stays. It starts from the last pressure Q; `around` is sum F_ij Q_j. Torn fluid has no Q, and
+ * none at all if it expands. */
 static inline void projection_row(const struct projection_constants *m, const struct stencil *s,
                                   float rest, float before, float divergence, float pressure,
-                                  struct unknown *row)
+                                  float around, struct unknown *row)
 {
+    bool fixed = !(before > 0) || (!m->enclosed && s->lack > m->torn && divergence > 0);
+    float source = before > 0 ? -2 * rest / before * divergence : 0;
     row->value = pressure;
-    row->residual = before > 0 ? -2 * rest / before * divergence : 0;
-    bool expands = !m->enclosed && s->lack > m->torn && divergence > 0;
-    if (expands)
-        row->value = 0;
-    if (expands || !(before > 0))
+    row->residual = source - (row->diagonal * pressure - around);
+    if (fixed)
         row->inverse = 0;
 }
 
@@ -251,20 +254,21 @@ static inline float projection_crowding(const struct projection_constants *m,
     return m->gain * error;
 }
 
-/* With P in `unknown`, which torn fluid does not have below 0: the mean pressure Q, and the row of the
- * equation sum_j F_ij (f_i - f_j) + s_i f_i = gain (rho/rho0 - 1) of the shift, that begins from
- * `shift`. */
+/* With P in `row`, which torn fluid does not have below 0: the mean pressure Q, and the row of the
+ * equation sum_j F_ij (f_i - f_j) + s_i f_i = gain (rho/rho0 - 1) of the shift, which begins from the
+ * last step's. */
 static inline void projection_pressures(const struct projection_constants *m, float h,
                                         const struct stencil *s, float mean, float before,
                                         float old, float shift, struct unknown *row,
-                                        struct trial *trial, float *direction)
+                                        struct trial *trial)
 {
-    float p = row->value < 0 && s->lack > m->torn && !m->enclosed ? 0 : row->value;
+    bool torn = s->lack > m->torn && !m->enclosed;
+    float p = row->value < 0 && torn ? 0 : row->value;
     trial->pressure = p;
-    trial->mean = before > 0 ? 0.5f * (old + p) : old;
+    trial->mean = torn ? 0 : before > 0 ? 0.5f * (old + p) : old;
     row->inverse = row->diagonal * h * h > 1e-4f ? 1 / row->diagonal : 0;
-    row->residual = projection_crowding(m, s, mean);
-    row->value = *direction = row->inverse > 0 ? shift : 0;
+    row->residual = projection_crowding(m, s, mean) - (row->diagonal * shift - s->crowding);
+    row->value = shift;
 }
 
 /* Component of a direction of the particle's own, -1 to 1: the bits of `word` well mixed

@@ -66,9 +66,21 @@ static inline __attribute__((always_inline)) void records_load(const void *recor
     out[2] = _mm512_shuffle_ps(b, d, 0x44);
     out[3] = _mm512_shuffle_ps(b, d, 0xee);
 }
+/* Loads and inserts: twice as fast as the gather instruction of AMD's processors. */
+static inline __attribute__((always_inline)) __m128 lookup_four(const float *values, const uint32_t *index)
+{
+    const char *v = (const char *)values;
+    __m128 four = _mm_load_ss((const float *)(v + 2 * (size_t)index[0]));
+    four = _mm_insert_ps(four, _mm_load_ss((const float *)(v + 2 * (size_t)index[1])), 0x10);
+    four = _mm_insert_ps(four, _mm_load_ss((const float *)(v + 2 * (size_t)index[2])), 0x20);
+    return _mm_insert_ps(four, _mm_load_ss((const float *)(v + 2 * (size_t)index[3])), 0x30);
+}
 static inline __attribute__((always_inline)) real lookup_load(const float *values, const uint32_t *index)
 {
-    return _mm512_i32gather_ps(_mm512_loadu_si512(index), values, 2);
+    __m512 out = _mm512_castps128_ps512(lookup_four(values, index));
+    out = _mm512_insertf32x4(out, lookup_four(values, index + 4), 1);
+    out = _mm512_insertf32x4(out, lookup_four(values, index + 8), 2);
+    return _mm512_insertf32x4(out, lookup_four(values, index + 12), 3);
 }
 
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],

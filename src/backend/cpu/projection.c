@@ -59,6 +59,7 @@ void cpu_projection(struct backend *b, const struct step *step, enum pair_pass p
 void cpu_rewind(struct backend *b, const struct step *step)
 {
     struct particles *p = &b->particles;
+    float *direction = p->now[FIELD_DIRECTION];
     const struct motion *v0 = p->before[FIELD_MOTION];
     const struct rate *old = p->before[FIELD_RATE];
     const float *gravity = b->choice.pair.gravity, half = 0.5f * step->before;
@@ -70,6 +71,7 @@ void cpu_rewind(struct backend *b, const struct step *step)
             particles_rate(p)[i].acceleration[a] = gravity[a];
         }
         v->pressure = v0[i].pressure;
+        direction[i] = step->resume * old[i].density;
     }
 }
 
@@ -109,12 +111,12 @@ void cpu_crowding(struct backend *b, const struct step *step)
     const struct stencil *stencil = p->now[FIELD_STENCIL];
     struct unknown *unknown = p->now[FIELD_UNKNOWN];
     struct trial *trial = p->now[FIELD_TRIAL];
-    float *direction = p->now[FIELD_DIRECTION], mean = mean_crowding(b);
+    float mean = mean_crowding(b);
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++)
         projection_pressures(c, b->choice.each.h, &stencil[i], mean, step->before,
                              particles_motion(p)[i].pressure, step->resume * old[i].density,
-                             &unknown[i], &trial[i], &direction[i]);
+                             &unknown[i], &trial[i]);
 }
 
 /* Keeps the solution of the equation of the shift for the slopes. */
@@ -142,7 +144,6 @@ static double residual_scale(const struct backend *b, const struct step *step)
 static float mean_residual(const struct backend *b)
 {
     const struct unknown *unknown = b->particles.now[FIELD_UNKNOWN];
-    const float *product = b->particles.now[FIELD_PRODUCT];
     struct sums all = {0};
     if (!b->choice.enclosed || b->particles.count == 0)
         return 0;
@@ -151,7 +152,7 @@ static float mean_residual(const struct backend *b)
         struct sums own = {0};
 #pragma omp for schedule(static)
         for (size_t i = 0; i < b->particles.count; i++)
-            exact_add(&own.first, (double)unknown[i].residual - (double)product[i]);
+            exact_add(&own.first, (double)unknown[i].residual);
         merge(&all, &own);
     }
     return (float)(exact_value(&all.first) / (double)b->particles.count);
@@ -161,7 +162,7 @@ void cpu_residual(struct backend *b, struct step *step)
 {
     struct particles *p = &b->particles;
     struct unknown *unknown = p->now[FIELD_UNKNOWN];
-    const float *product = p->now[FIELD_PRODUCT], mean = mean_residual(b);
+    const float mean = mean_residual(b);
     float *direction = p->now[FIELD_DIRECTION];
     struct sums all = {0};
 #pragma omp parallel
@@ -172,7 +173,7 @@ void cpu_residual(struct backend *b, struct step *step)
             double square = 0, size = 0;
             for (size_t i = block * PARTICLE_BLOCK; i < block_end(b, block); i++) {
                 struct unknown *u = &unknown[i];
-                u->residual = u->inverse > 0 ? u->residual - product[i] - mean : 0;
+                u->residual = u->inverse > 0 ? u->residual - mean : 0;
                 direction[i] = u->residual * u->inverse;
                 square += (double)u->residual * (double)direction[i];
                 size += fabs((double)u->residual);

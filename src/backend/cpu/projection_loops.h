@@ -87,29 +87,32 @@ static void stencil_cubic(const struct pair_work *w, size_t first, size_t last)
 }
 
 /* Whether the particle or any neighbour is at the surface; neighbours at the rim of the support count
- * less, so that rows may hold more than needed. */
+ * less, so that rows may hold more than needed. And sum F f_j of the last step's shift. */
 static void surface_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
 {
     const struct projection_work *t = w->projection;
     real rim = real_set(1e3f * t->each->h * t->each->h), one = real_set(1);
     for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
         struct lane_row row = lane_row(w, i);
-        real most = real_load(t->surface + i);
-        float out[LANES];
+        real most = real_load(t->surface + i), sum = real_set(0);
+        float out[LANES], shift[LANES];
         for (uint32_t k = 0; k < row.length; k++) {
             real f = real_load(row.weight + (size_t)k * PARTICLE_BLOCK);
             real near = one - real_positive(one - rim * f);
-            real other = lookup_load(t->surface, row.index + (size_t)k * PARTICLE_BLOCK);
-            most = pair_larger(near * other, most);
+            const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
+            most = pair_larger(near * lookup_load(t->surface, index), most);
+            sum = real_fma(f, lookup_load(t->direction, index), sum);
         }
         real_store(out, most);
+        real_store(shift, sum);
         for (size_t l = 0; l < LANES && i + l < w->count; l++)
-            projection_surface(t->each, out[l], &t->stencil[i + l], &t->unknown[i + l]);
+            projection_surface(t->each, out[l], settled(shift[l]), &t->stencil[i + l],
+                               &t->unknown[i + l]);
     }
 }
 
-/* The right-hand side, from sum F (u_i - u_j) x and the largest F |u_ij|^2. */
-static inline void flow_store(const struct pair_work *w, size_t k, const float sum[9], float speed2)
+/* The right-hand side, from sums F (u_i - u_j) x, sum F p_j, and the largest F |u_ij|^2. */
+static inline void flow_store(const struct pair_work *w, size_t k, const float sum[11])
 {
     const struct projection_work *t = w->projection;
     const struct projection_constants *c = t->constants;
@@ -119,11 +122,10 @@ static inline void flow_store(const struct pair_work *w, size_t k, const float s
     for (int a = 0; a < 9; a++)
         tensor[a] = half * settled(sum[a]);
     float divergence = projection_divergence(s, tensor, w->motion[k].velocity);
-    float close = settled(speed2) / (c->laplacian * c->volume[0] * c->slope);
+    float close = settled(sum[10]) / (c->laplacian * c->volume[0] * c->slope);
     s->speed = sqrtf(close > 0 ? close : 0);
     projection_row(c, s, t->each->rest_density[w->fluid ? w->fluid[k] : 0], t->before,
-                   divergence, w->motion[k].pressure, row);
-    t->direction[k] = row->value;
+                   divergence, w->motion[k].pressure, settled(sum[9]), row);
 }
 
 static void flow_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
@@ -132,8 +134,8 @@ static void flow_blocks(const struct pair_work *w, size_t first_block, size_t la
         struct lane_row row = lane_row(w, i);
         real volume, own[4], zero = real_set(0);
         struct lane_point point = point_load(w, i, &volume);
-        struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero}, zero};
-        float out[10][LANES];
+        struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero}, zero, zero};
+        float out[11][LANES];
         records_load(w->motion + i, lane_ramp, own);
         for (uint32_t k = 0; k < row.length; k++) {
             const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
@@ -145,12 +147,13 @@ static void flow_blocks(const struct pair_work *w, size_t first_block, size_t la
         }
         for (int a = 0; a < 9; a++)
             real_store(out[a], s.tensor[a]);
-        real_store(out[9], s.speed2);
+        real_store(out[9], s.around);
+        real_store(out[10], s.speed2);
         for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-            float sum[9];
-            for (int a = 0; a < 9; a++)
+            float sum[11];
+            for (int a = 0; a < 11; a++)
                 sum[a] = out[a][l];
-            flow_store(w, i + l, sum, out[9][l]);
+            flow_store(w, i + l, sum);
         }
     }
 }
