@@ -56,9 +56,17 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     p->closeness = (float)(1 / choice->kernel->value(q));
     p->slope = (float)choice->kernel->slope(q);
     p->enclosed = choice->enclosed;
-    for (size_t f = 0; f < scene->fluid_count; f++)
+    p->reference = 0;
+    for (size_t f = 0; f < scene->fluid_count; f++) {
+        float rest = choice->each.rest_density[f];
+        p->mixed = p->mixed || rest != choice->each.rest_density[0];
+        p->reference = rest > p->reference ? rest : p->reference;
+    }
+    for (size_t f = 0; f < scene->fluid_count; f++) {
+        p->lighter[f] = p->reference / choice->each.rest_density[f];
         p->volume[f] = choice->implicit.volume[f] =
             choice->each.mass[f] / choice->each.rest_density[f];
+    }
     choice->solves[SOLVE_VELOCITY] = (struct solve_limits){
         scene_real(scene, "solver.divergence_error"), 0, most, 1, 0};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){

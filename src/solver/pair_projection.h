@@ -39,23 +39,34 @@ static inline __attribute__((always_inline)) real pair_stencil(struct pair_stenc
     return f;
 }
 
-/* Sums F (u_i - u_j)_a x_b and F p_j, and the largest F |u_ij|^2. */
+/* 2 R / (rho_i + rho_j) from the inverse densities, and its inverse. */
+static inline __attribute__((always_inline)) real pair_share(real reference, real own, real other)
+{
+    return real_set(2) * reference * (own * other) / (own + other);
+}
+static inline __attribute__((always_inline)) real pair_unshare(real reference, real own, real other)
+{
+    return real_set(0.5f) * (own + other) / (reference * (own * other));
+}
+
+/* Sums F (u_i - u_j)_a x_b and F p_j, and the largest F |u_ij|^2; `plain` is F without the share of
+ * densities. */
 struct pair_flows {
     real tensor[9], around, speed2;
 };
 
 static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s,
-                              const real x[3], const real own[4], const real other[4], real f)
+                              const real x[3], const real own[4], const real other[4], real f, real plain)
 {
     real square = real_set(0);
     for (int a = 0; a < 3; a++) {
-        real u = own[a] - other[a], fu = f * u;
+        real u = own[a] - other[a], fu = plain * u;
         square = real_fma(u, u, square);
         for (int b = 0; b < 3; b++)
             s->tensor[3 * a + b] = real_fma(fu, x[b], s->tensor[3 * a + b]);
     }
     s->around = real_fma(f, other[3], s->around);
-    s->speed2 = pair_larger(f * square, s->speed2);
+    s->speed2 = pair_larger(plain * square, s->speed2);
 }
 
 /* sum F (p_i - p_j) x of the three fields of struct trial. */

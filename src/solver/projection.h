@@ -18,6 +18,9 @@
  *   surface P = 0 at a distance e above the particle: s = 2 |G|/e, with G what the gradients of the
  *           kernel lack and e from the lack of density by the inverse of the half space's table.
  *           A linear P is then exact there too. (Instead of particles declared to be the surface.)
+ * Where fluids differ in density, F_ij is 2 R / (rho0_i + rho0_j) times as large, with R the largest of
+ * them, in this equation and in the gradients of P and of the shift, so that the flux between two
+ * fluids is continuous; R then stands for rho.
  * Deep inside, gradients are corrected by the inverse first moment (Randles & Libersky 1996) and use
  * P_j - P_i; near a surface they use P_j + P_i, which with the plain divergence is its adjoint and
  * gains no energy. In the common subset of C and CUDA. */
@@ -30,6 +33,9 @@ struct projection_constants {
     float gradient;   /* struct pair_constants */
     float laplacian;  /* -2 gradient / h, 1/m^2: times V slope it is F */
     float volume[FLUIDS_MAX]; /* V = m / rho0, in d^3 */
+    float reference;  /* the largest rest density R, kg/m^3 */
+    float lighter[FLUIDS_MAX]; /* R / rho0 */
+    bool mixed;       /* fluids differ in rest density */
     float loose;      /* lack of density from which a particle is at the surface */
     float torn;       /* and from which its fluid comes apart without resistance */
     float gain;       /* part of a density error that a step's shift takes back */
@@ -76,11 +82,12 @@ struct trial {
 
 /* Sums over the neighbours of what first depends on positions only. */
 struct stencil_sums {
-    float number;    /* sum V_j w */
+    float number;    /* sum V_j w, with wall particles */
     float toward[3]; /* sum V_j slope x */
     float crowd[3];  /* the same, closer ones counting more */
     float moment[6]; /* sum V_j slope x (x) x: xx yy zz xy xz yz */
     float weight;    /* sum F */
+    float wall_number, wall_toward[3], wall_moment[3]; /* of wall particles alone: xx yy zz */
 };
 
 /* Walls' shares: `wall`, `missing`, `along`; returns the share of the density. */
@@ -109,6 +116,27 @@ static inline float projection_walls(const struct explicit_constants *c, const s
     return 1 - open[0] * open[1] * open[2];
 }
 
+/* Adds wall particles, as if they were a plane across the sum of their gradients. */
+static inline void projection_wall_particles(const struct explicit_constants *c,
+                                             const struct projection_constants *m,
+                                             const struct stencil_sums *sums, struct stencil *s)
+{
+    float g[3], size2 = 0;
+    for (int a = 0; a < 3; a++) {
+        g[a] = m->gradient * sums->wall_toward[a];
+        size2 += g[a] * g[a];
+    }
+    if (!(size2 * c->h * c->h > 1e-8f))
+        return;
+    for (int a = 0; a < 3; a++) {
+        float across = g[a] * g[a] / size2;
+        float open = 1 - c->number_density * sums->wall_number * (1 - across);
+        s->wall[a] += g[a];
+        s->missing[a] -= across * m->gradient * c->h * sums->wall_moment[a];
+        s->along[a] /= open > 0.25f ? open : 0.25f;
+    }
+}
+
 /* B from the first moment; the identity where too few neighbours span it. Returns whether it is. */
 static inline bool projection_inverse(const float m[6], float inverse[6])
 {
@@ -134,6 +162,7 @@ static inline float projection_stencil(const struct explicit_constants *c,
 {
     float share = projection_walls(c, x, s), moment[6];
     float ratio = c->number_density * sums->number + share;
+    projection_wall_particles(c, m, sums, s);
     for (int k = 0; k < 6; k++)
         moment[k] = -m->gradient * c->h * sums->moment[k];
     for (int a = 0; a < 3; a++) {
@@ -169,6 +198,7 @@ static inline float projection_depth(const struct explicit_constants *c, float l
 /* After `loose` is known of the particle and its neighbours (1 of any): what depends on the surface.
  * Inside, walls make up exactly for what the kernel's gradients lack. `crowding` is kept. */
 static inline void projection_surface(const struct explicit_constants *c,
+                                      const struct projection_constants *m, int fluid,
                                       float loose, float crowding, struct stencil *s,
                                       struct unknown *row)
 {
@@ -183,7 +213,7 @@ static inline void projection_surface(const struct explicit_constants *c,
     }
     if (loose > 0 && s->lack > 0) {
         float depth = projection_depth(c, s->lack) * c->h, least = 0.25f * c->spacing;
-        sink = 2 * sqrtf(size2) / (depth < least ? least : depth);
+        sink = m->lighter[fluid] * 2 * sqrtf(size2) / (depth < least ? least : depth);
     }
     s->crowding = crowding;
     row->diagonal = s->spread + sink;
@@ -210,26 +240,27 @@ static inline float projection_divergence(const struct stencil *s, const float t
  * pressure stays. It starts from the last pressure Q; `around` is sum F_ij Q_j. Torn fluid has no Q, and
  * none at all if it expands. */
 static inline void projection_row(const struct projection_constants *m, const struct stencil *s,
-                                  float rest, float before, float divergence, float pressure,
+                                  float before, float divergence, float pressure,
                                   float around, struct unknown *row)
 {
     bool fixed = !(before > 0) || (!m->enclosed && s->lack > m->torn && divergence > 0);
-    float source = before > 0 ? -2 * rest / before * divergence : 0;
+    float source = before > 0 ? -2 * m->reference / before * divergence : 0;
     row->value = pressure;
     row->residual = source - (row->diagonal * pressure - around);
     if (fixed)
         row->inverse = 0;
 }
 
-/* grad p from difference = sum V_j (p_j - p_i) grad W; `beyond` is what walls continue it by, along
+/* R/rho grad p from difference = sum 2 R/(rho_i + rho_j) V_j (p_j - p_i) grad W; `beyond` is what walls continue it by, along
  * each axis: the force per volume that they must balance, Pa/m. */
-static inline void projection_gradient(const struct stencil *s, float p, const float difference[3],
-                                       const float beyond[3], float gradient[3])
+static inline void projection_gradient(const struct stencil *s, float lighter, float p,
+                                       const float difference[3], const float beyond[3],
+                                       float gradient[3])
 {
     const float *b = s->inverse;
     if (s->fringe > 0) {
         for (int a = 0; a < 3; a++)
-            gradient[a] = s->along[a] * (difference[a] + 2 * p * (s->toward[a] + s->wall[a]));
+            gradient[a] = s->along[a] * (difference[a] + 2 * lighter * p * (s->toward[a] + s->wall[a]));
         return;
     }
     float d[3];

@@ -65,6 +65,9 @@ void cpu_drag_begin(struct backend *b, const struct step *step);
 void cpu_drag_residual(struct backend *b, struct step *step);
 void cpu_drag_step(struct backend *b, struct step *step);
 
+/* 1 / rest density, in the present order of the particles. */
+void cpu_invert_densities(struct backend *b);
+
 /* The projection solver: pair passes, and what is around them (solver/projection.h). */
 void cpu_projection(struct backend *b, const struct step *step, enum pair_pass pass);
 void cpu_rewind(struct backend *b, const struct step *step);

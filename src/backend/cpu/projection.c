@@ -53,6 +53,11 @@ void cpu_projection(struct backend *b, const struct step *step, enum pair_pass p
     };
     struct pair_work work = cpu_pair_work(b);
     work.projection = &projection;
+    if (b->choice.projection.mixed) {
+        if (pass == PAIR_PASS_STENCIL)
+            cpu_invert_densities(b);
+        work.inverse_density = b->inverse_density;
+    }
     cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, false));
 }
 
@@ -136,8 +141,8 @@ static double residual_scale(const struct backend *b, const struct step *step)
     double n = b->particles.count ? (double)b->particles.count : 1;
     if (step->solve == SOLVE_SHIFT)
         return 1 / ((double)b->choice.projection.gain * n);
-    double dt = (double)step->before, rest = (double)b->choice.each.rest_density[0];
-    return dt * dt / (2 * rest * n);
+    double dt = (double)step->before;
+    return dt * dt / (2 * (double)b->choice.projection.reference * n);
 }
 
 /* Where nothing is fixed the pressure is known but for a constant, and the residual has no mean. */

@@ -24,7 +24,8 @@ FORCE_INLINE void pair_distance(const struct lane_point *i, const real other[4],
     x[2] = real_difference(i->z, other[2]) * i->sz;
 }
 
-FORCE_INLINE void stencil_store(const struct pair_work *w, size_t i, const struct pair_stencils *s)
+FORCE_INLINE void stencil_store(const struct pair_work *w, size_t i, const struct pair_stencils *s,
+                                const struct stencil_sums walls[LANES])
 {
     const struct projection_work *t = w->projection;
     float out[14][LANES];
@@ -37,8 +38,10 @@ FORCE_INLINE void stencil_store(const struct pair_work *w, size_t i, const struc
     for (int k = 0; k < 6; k++)
         real_store(out[8 + k], s->moment[k]);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-        struct stencil_sums sums = {.number = out[0][l], .weight = out[1][l]};
         size_t k = i + l;
+        struct stencil_sums sums = walls[l];
+        sums.number += out[0][l];
+        sums.weight = out[1][l];
         for (int a = 0; a < 3; a++) {
             sums.toward[a] = settled(out[2 + a][l]);
             sums.crowd[a] = settled(out[5 + a][l]);
@@ -47,43 +50,95 @@ FORCE_INLINE void stencil_store(const struct pair_work *w, size_t i, const struc
             sums.moment[m] = settled(out[8 + m][l]);
         float ratio = projection_stencil(t->each, t->constants, &w->position[k], &sums,
                                          &t->stencil[k]);
-        t->density[k] = t->each->rest_density[w->fluid ? w->fluid[k] : 0] * ratio;
+        t->density[k] = t->each->rest_density[solve_fluid(w, k)] * ratio;
         t->surface[k] = !t->constants->enclosed && 1 - ratio > t->constants->loose ? 1 : 0;
     }
 }
 
+FORCE_INLINE struct pair_stencils stencils_none(void)
+{
+    real zero = real_set(0);
+    struct pair_stencils s = {.number = zero, .weight = zero};
+    for (int a = 0; a < 3; a++)
+        s.toward[a] = s.crowd[a] = s.moment[a] = s.moment[3 + a] = zero;
+    return s;
+}
+
+/* The sums over wall particles. */
+FORCE_INLINE void stencil_wall_row(const struct pair_work *w, const struct lane_point *point, size_t i,
+                                   struct stencil_sums sums[LANES], const unsigned flags)
+{
+    const struct projection_constants *c = w->projection->constants;
+    const uint32_t *row = w->wall_rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
+    struct pair_stencils s = stencils_none();
+    float out[7][LANES];
+    for (uint32_t k = 0; k < longest(w->wall_row_count + i); k++) {
+        real other[4];
+        records_load(w->wall, row + (size_t)k * PARTICLE_BLOCK, other);
+        struct pair p = pair_between(point, other);
+        p.q = real_below(k, w->wall_row_count + i, p.q, real_set(16));
+        pair_stencil(&s, &p, other[3], real_set(c->closeness), real_set(0), flags);
+    }
+    real_store(out[0], s.number);
+    for (int a = 0; a < 3; a++) {
+        real_store(out[1 + a], s.toward[a]);
+        real_store(out[4 + a], s.moment[a]);
+    }
+    for (size_t l = 0; l < LANES; l++) {
+        sums[l].number = sums[l].wall_number = out[0][l];
+        for (int a = 0; a < 3; a++) {
+            sums[l].wall_toward[a] = settled(out[1 + a][l]);
+            sums[l].wall_moment[a] = settled(out[4 + a][l]);
+        }
+    }
+}
+
+/* `mixed`: fluids differ in density. */
 FORCE_INLINE void stencil_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
-                                 const unsigned flags)
+                                 const bool mixed, const unsigned flags)
 {
     const struct projection_work *t = w->projection;
     real closeness = real_set(t->constants->closeness), far = real_set(16);
     real laplacian = real_set(t->constants->laplacian);
+    real reference = real_set(t->constants->reference);
     for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
         struct lane_row row = lane_row(w, i);
-        real volume, zero = real_set(0);
+        real volume, inverse = mixed ? real_load(w->inverse_density + i) : real_set(0);
         struct lane_point point = point_load(w, i, &volume);
-        struct pair_stencils s = {.number = volume * real_set(w->constants.self), .weight = zero};
-        for (int a = 0; a < 3; a++)
-            s.toward[a] = s.crowd[a] = s.moment[a] = s.moment[3 + a] = zero;
+        struct pair_stencils s = stencils_none();
+        struct stencil_sums walls[LANES] = {{0}};
+        s.number = volume * real_set(w->constants.self);
         for (uint32_t k = 0; k < row.length; k++) {
             real other[4];
             records_load(w->position, row.index + (size_t)k * PARTICLE_BLOCK, other);
             struct pair p = pair_between(&point, other);
             p.q = real_below(k, w->row_count + i, p.q, far);
-            real f = pair_stencil(&s, &p, other[3], closeness, laplacian, flags);
+            real share = laplacian;
+            if (mixed)
+                share = laplacian * pair_share(reference, inverse, lookup_load(w->inverse_density,
+                                               row.index + (size_t)k * PARTICLE_BLOCK));
+            real f = pair_stencil(&s, &p, other[3], closeness, share, flags);
             real_store(row.weight + (size_t)k * PARTICLE_BLOCK, f);
         }
-        stencil_store(w, i, &s);
+        if (w->wall)
+            stencil_wall_row(w, &point, i, walls, flags);
+        stencil_store(w, i, &s, walls);
     }
 }
 
 static void stencil_wendland(const struct pair_work *w, size_t first, size_t last)
 {
-    stencil_blocks(w, first, last, 0);
+    if (w->inverse_density)
+        stencil_blocks(w, first, last, true, 0);
+    else
+        stencil_blocks(w, first, last, false, 0);
 }
 static void stencil_cubic(const struct pair_work *w, size_t first, size_t last)
 {
-    stencil_blocks(w, first, last, KERNEL_CUBIC);
+    if (w->inverse_density)
+        stencil_blocks(w, first, last, true, KERNEL_CUBIC);
+    else
+        stencil_blocks(w, first, last, false, KERNEL_CUBIC);
 }
 
 /* Whether the particle or any neighbour is at the surface; neighbours at the rim of the support count
@@ -106,8 +161,8 @@ static void surface_blocks(const struct pair_work *w, size_t first_block, size_t
         real_store(out, most);
         real_store(shift, sum);
         for (size_t l = 0; l < LANES && i + l < w->count; l++)
-            projection_surface(t->each, out[l], settled(shift[l]), &t->stencil[i + l],
-                               &t->unknown[i + l]);
+            projection_surface(t->each, t->constants, solve_fluid(w, i + l), out[l], settled(shift[l]),
+                               &t->stencil[i + l], &t->unknown[i + l]);
     }
 }
 
@@ -124,26 +179,32 @@ static inline void flow_store(const struct pair_work *w, size_t k, const float s
     float divergence = projection_divergence(s, tensor, w->motion[k].velocity);
     float close = settled(sum[10]) / (c->laplacian * c->volume[0] * c->slope);
     s->speed = sqrtf(close > 0 ? close : 0);
-    projection_row(c, s, t->each->rest_density[w->fluid ? w->fluid[k] : 0], t->before,
-                   divergence, w->motion[k].pressure, settled(sum[9]), row);
+    projection_row(c, s, t->before, divergence, w->motion[k].pressure, settled(sum[9]), row);
 }
 
-static void flow_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
+FORCE_INLINE void flow_rows(const struct pair_work *w, size_t first_block, size_t last_block,
+                            const bool mixed)
 {
+    real reference = real_set(w->projection->constants->reference);
     for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
         struct lane_row row = lane_row(w, i);
         real volume, own[4], zero = real_set(0);
+        real inverse = mixed ? real_load(w->inverse_density + i) : zero;
         struct lane_point point = point_load(w, i, &volume);
         struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero}, zero, zero};
         float out[11][LANES];
         records_load(w->motion + i, lane_ramp, own);
         for (uint32_t k = 0; k < row.length; k++) {
             const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
-            real other[4], motion[4], x[3];
+            real other[4], motion[4], x[3], f = real_load(row.weight + (size_t)k * PARTICLE_BLOCK);
+            real plain = f;
             records_load(w->position, index, other);
             records_load(w->motion, index, motion);
+            if (mixed)
+                plain = f * pair_unshare(reference, inverse,
+                                         lookup_load(w->inverse_density, index));
             pair_distance(&point, other, x);
-            pair_flow(&s, x, own, motion, real_load(row.weight + (size_t)k * PARTICLE_BLOCK));
+            pair_flow(&s, x, own, motion, f, plain);
         }
         for (int a = 0; a < 9; a++)
             real_store(out[a], s.tensor[a]);
@@ -156,6 +217,14 @@ static void flow_blocks(const struct pair_work *w, size_t first_block, size_t la
             flow_store(w, i + l, sum);
         }
     }
+}
+
+static void flow_blocks(const struct pair_work *w, size_t first, size_t last)
+{
+    if (w->inverse_density)
+        flow_rows(w, first, last, true);
+    else
+        flow_rows(w, first, last, false);
 }
 
 /* The matrix times `direction`. */
@@ -192,18 +261,19 @@ static inline void slopes_store(const struct pair_work *w, size_t k, const float
     struct stencil *s = &t->stencil[k];
     struct motion *v = &t->motion[k];
     struct rate *rate = &w->rate[k];
-    float rest = t->each->rest_density[w->fluid ? w->fluid[k] : 0], half = 0.5f * t->each->h;
+    float rest = t->constants->reference, half = 0.5f * t->each->h;
+    float lighter = t->constants->lighter[solve_fluid(w, k)];
     float d[9], beyond[3], gradient[3][3];
     static const float none[3];
     for (int a = 0; a < 9; a++)
         d[a] = half * settled(sum[a]);
     for (int a = 0; a < 3; a++)
         beyond[a] = t->before > 0 ? v->velocity[a] * (2 * rest / t->before) : 0;
-    projection_gradient(s, t->trial[k].pressure, d, beyond, gradient[0]);
+    projection_gradient(s, lighter, t->trial[k].pressure, d, beyond, gradient[0]);
     for (int a = 0; a < 3; a++)
         beyond[a] = rest * rate->acceleration[a];
-    projection_gradient(s, t->trial[k].mean, d + 3, beyond, gradient[1]);
-    projection_gradient(s, t->trial[k].shift, d + 6, none, gradient[2]);
+    projection_gradient(s, lighter, t->trial[k].mean, d + 3, beyond, gradient[1]);
+    projection_gradient(s, lighter, t->trial[k].shift, d + 6, none, gradient[2]);
     projection_shift(t->each, t->constants, s, t->id[k], t->dt, gradient[2], s->crowd);
     for (int a = 0; a < 3; a++) {
         rate->acceleration[a] -= gradient[1][a] / rest;

@@ -42,8 +42,7 @@ static void find_target(const struct backend *b, struct step *step)
     step->target += (float)((double)sum * 0x1p-40 / (double)b->particles.count);
 }
 
-/* In the present order of the particles. */
-static void invert_densities(struct backend *b)
+void cpu_invert_densities(struct backend *b)
 {
     if (!b->inverse_density)
         return;
@@ -80,7 +79,7 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
     work.motion = p->before[FIELD_MOTION];
     work.solve = &solve;
     if (pass == PAIR_PASS_FACTOR)
-        invert_densities(b);
+        cpu_invert_densities(b);
     work.inverse_density = b->inverse_density;
     cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, b->wall.count > 0));
     if (pass == PAIR_PASS_SWEEP)
