@@ -212,6 +212,12 @@ def moment_axis(columns, axis, row, d):
     return 2 * math.sqrt(column(columns, "spread." + axis)[row] ** 2 + d * d / 12)
 
 
+def start_axes(columns, d):
+    """What the measuring itself errs: the drop is round at first."""
+    return Result("semi-axes by moments at t = 0",
+                  [moment_axis(columns, axis, 0, d) - 1 for axis in "xy"])
+
+
 def quantile_axis(columns, axis, row):
     """From the coordinates that 99.5 % of the particles do not pass, on either side."""
     high, low = column(columns, axis + ".high")[row], column(columns, axis + ".low")[row]
@@ -234,13 +240,13 @@ def elliptic_drop(columns, scene):
     for name, way in ways:
         errors = [way(axis, last) / length - 1 for axis, length in zip("xy", axes)]
         results.append(Result("short, long semi-axis by " + name, errors))
-    start = [way(axis, 0) - 1 for _, way in ways for axis in "xy"]
-    return results + [Result("the same at t = 0", start),
+    return results + [start_axes(columns, d),
                       Result("kinetic energy, drift", energy[-1] / energy[0] - 1)]
 
 
 def oscillating_drop(columns, scene):
-    """From <y^2> - <x^2>, which passes zero each half period and reaches 3/8 m^2 between."""
+    """From <y^2> - <x^2>, which passes zero each half period and reaches 3/8 R^2 between; R is that
+    of the particles at the start, whose number is whole."""
     times, exact_period = times_of(columns), exact.oscillating_drop_period()
     waves = [y * y - x * x for x, y in
              zip(column(columns, "spread.x"), column(columns, "spread.y"))]
@@ -250,11 +256,11 @@ def oscillating_drop(columns, scene):
     half = exact.slope(range(1, len(crossings) + 1), crossings)
     tops = fits.peaks(times, waves, [0] + crossings)
     periods = (len(tops) - 1) / 2
+    radius = moment_axis(columns, "x", 0, spacing(scene))
     return [Result("period", 2 * half / exact_period - 1),
-            Result("first amplitude", tops[0] / 0.375 - 1),
+            Result("first amplitude", tops[0] / (0.375 * radius ** 2) - 1),
             Result("amplitude, change in a period", (tops[-1] / tops[0]) ** (1 / periods) - 1),
-            Result("semi-axes by moments at t = 0",
-                   [moment_axis(columns, axis, 0, spacing(scene)) - 1 for axis in "xy"])]
+            start_axes(columns, spacing(scene))]
 
 
 # The others.
