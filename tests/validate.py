@@ -51,13 +51,15 @@ def change(scene, path, value):
 
 
 def scene_of(case, solver, changes=None):
-    """The case's scene, with what it measures, for that solver."""
+    """The case's scene, with what it measures, for that solver. Frames, at which a run stops as well,
+    come when rows do."""
     scene = json.loads(scene_path(case.scene).read_text())
     scene["solver"] = {"method": solver, **case.settings.get(solver, {})}
     for path, value in {**case.changes, **(changes or {})}.items():
         change(scene, path, value)
     scene["measure"] = case.measure(scene)
     scene["time"]["measure"] = case.rows
+    scene["movie"].update({"start": 0, "fps": 1, "speed": case.rows})
     return scene
 
 

@@ -35,7 +35,7 @@ COARSE = (
      {"particles.spacing": 0.1, "domain.max": [0.6, 1.3, 0.6], "bodies.0.max": [0.6, 1, 0.6],
       "time.end": 3.2},
      {"pressure, L2": 0.05, "pressure on": 0.05, "volume": 0.03, "mass centre": 0.02,
-      "kinetic energy": 1e-5}),
+      "kinetic energy": 2e-5}),
 )
 
 
