@@ -116,7 +116,7 @@ def largest(result):
 
 
 def table(found, names):
-    """found: {case: {solver: Results or what was missing}}. Bold is what asks for too much."""
+    """found: {case: {solver: Results or what was missing}}. Bold is more than asked."""
     lines = ["| case | error of | asked | " + " | ".join(f"`{name}`" for name in names) + " |",
              "|---" * (3 + len(names)) + "|"]
     for case, by_solver in found.items():
