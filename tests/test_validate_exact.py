@@ -215,10 +215,10 @@ class Comparisons(unittest.TestCase):
         self.assertAlmostEqual(errors[4].value, 0, 5)
 
     def test_table(self):
-        results = [cases.Result("height", 1e-3, "m", 1e-4), cases.Result("L2", [0.01, -0.02])]
+        results = [cases.Result("height", 1e-3, "+m", 1e-4), cases.Result("L2", [0.01, -0.02])]
         text = validate.table({"fall": {"a": results, "b": "it stopped"}}, ["a", "b"])
         self.assertEqual(text.splitlines()[2:], [
-            "| fall | height | < 0.0001 m | **0.001 m** | failed |",
+            "| fall | height | < 0.0001 m | **+0.001 m** | failed |",
             "|  | L2 |  | +1, -2 % | failed |"])
 
 

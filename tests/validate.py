@@ -88,13 +88,14 @@ def errors_of(case, solver, changes=None):
 
 
 def number(value, form):
-    if form == "%":
-        return f"{100 * value:+.2g}" if abs(value) < 0.1 else f"{100 * value:+.3g}"
-    return f"{value:.2g}"
+    if "%" in form:
+        value *= 100
+    digits = 3 if 10 <= abs(value) < 1000 else 2
+    return f"{value:+.{digits}g}" if "+" in form else f"{value:.{digits}g}"
 
 
 def unit(form):
-    return " " + form if form else ""
+    return " " + form.strip("+") if form else ""
 
 
 def shown(result):
@@ -106,7 +107,7 @@ def shown(result):
 def wanted(result):
     if result.asked is None:
         return ""
-    bound = 100 * result.asked if result.form == "%" else result.asked
+    bound = 100 * result.asked if "%" in result.form else result.asked
     return f"< {bound:g}{unit(result.form)}"
 
 

@@ -14,8 +14,9 @@ class Missing(Exception):
     """Something that a comparison needs was not measured."""
 
 
-# value: a number, or several; form: "%" of parts, or a unit; asked: bound of |value|, or None
-Result = collections.namedtuple("Result", "quantity value form asked", defaults=("%", None))
+# value: a number, or several; form: a unit, with + for values that have a sign, % of parts; asked: the
+# bound of |value|, or None
+Result = collections.namedtuple("Result", "quantity value form asked", defaults=("+%", None))
 Case = collections.namedtuple("Case", "name scene measure compare rows settings changes",
                               defaults=({}, {}))
 FREE = {"wcsph": {"clamp_negative": False, "artificial_viscosity": 0}}
@@ -95,8 +96,8 @@ def tank_common(columns, scene, drift_asked):
     kinetic = fits.late_mean(times, column(columns, "kinetic"))
     return [
         Result("volume below the surface, drift", fits.late_mean(times, surface) / surface[0] - 1,
-               "%", drift_asked),
-        Result("mass centre, drift", fits.late_mean(times, height) / height[0] - 1, "%",
+               "+%", drift_asked),
+        Result("mass centre, drift", fits.late_mean(times, height) / height[0] - 1, "+%",
                drift_asked),
         Result("kinetic energy / M g H", kinetic / (body_mass(scene) * 9.81 * depth), "", 1e-6)]
 
@@ -111,16 +112,16 @@ def hydrostatic(columns, scene):
     return [
         Result("pressure, L2 over points and time",
                exact.l2([p for row in late for p in row], reference * len(late)), "%", 0.01),
-        Result("pressure, L2 of its mean", exact.l2(mean_rows(late), reference)),
+        Result("pressure, L2 of its mean", exact.l2(mean_rows(late), reference), "%"),
         Result("pressure on the floor",
-               floor / exact.hydrostatic(scene["bodies"][0]["max"][1]) - 1, "%", 0.01),
+               floor / exact.hydrostatic(scene["bodies"][0]["max"][1]) - 1, "+%", 0.01),
     ] + tank_common(columns, scene, 0.005)
 
 
 def deep_column(columns, scene):
     ys, _, late = tank_pressures(columns, scene)
     rise = exact.slope(ys, mean_rows(late)) / -exact.hydrostatic(1)
-    return [Result("slope of pressure", rise - 1, "%", 0.01)] + tank_common(columns, scene, 0.01)
+    return [Result("slope of pressure", rise - 1, "+%", 0.01)] + tank_common(columns, scene, 0.01)
 
 
 TILTED_LINES = (("across", [0.075, 0.25, 0.25], [0.425, 0.25, 0.25]),
@@ -168,8 +169,8 @@ def vortices(columns, solution, last):
     reference = [solution(t) for t in times_of(columns)]
     at = row_at(columns, 1)
     speed = column(columns, "flow-error.speed")
-    return [Result("kinetic energy at t = 1 s", ratios[at] / reference[at] - 1, "%", 0.05),
-            Result("kinetic energy, L2", exact.l2(ratios, reference)),
+    return [Result("kinetic energy at t = 1 s", ratios[at] / reference[at] - 1, "+%", 0.05),
+            Result("kinetic energy, L2", exact.l2(ratios, reference), "%"),
             Result(f"speed, L1 at t = {last:g} s", speed[row_at(columns, last)], "%", 0.03)]
 
 
@@ -280,10 +281,10 @@ def standing_wave(columns, _):
     theory = exact.viscous_wave(depth, length, nu)
     level = [2 * depth * mean for mean in column(columns, "wave.cosine")]
     fit = fits.damped_wave(times_of(columns), level, omega, rate)
-    return [Result("frequency, of sqrt(g k tanh kH)", fit[0] / omega - 1, "%", 0.01),
-            Result("damping rate, of 2 nu k^2", fit[1] / rate - 1, "%", 0.10),
-            Result("frequency, of linear viscous theory", fit[0] / theory[0] - 1, "%", 0.01),
-            Result("damping rate, of the same", fit[1] / theory[1] - 1, "%", 0.10),
+    return [Result("frequency, of sqrt(g k tanh kH)", fit[0] / omega - 1, "+%", 0.01),
+            Result("damping rate, of 2 nu k^2", fit[1] / rate - 1, "+%", 0.10),
+            Result("frequency, of linear viscous theory", fit[0] / theory[0] - 1, "+%", 0.01),
+            Result("damping rate, of the same", fit[1] / theory[1] - 1, "+%", 0.10),
             Result("amplitude", fit[2] / 0.05 - 1)]
 
 
@@ -293,9 +294,9 @@ def martin_moyce(columns, _):
     height = exact.martin_moyce_height(times_of(columns), [sorted(h)[1] for h in zip(*walls)])
     if not front or not height:
         raise Missing("a front that passes Z = 1.44")
-    return [Result("time of the front, RMS", front[0]),
-            Result("front outside of the runs", 1 - front[1]),
-            Result("height at the wall, RMS, of 2 a", height[0])]
+    return [Result("time of the front, RMS", front[0], "%"),
+            Result("front outside of the runs", 1 - front[1], "%"),
+            Result("height at the wall, RMS, of 2 a", height[0], "%")]
 
 
 def martin_moyce_measure(_):
@@ -305,7 +306,7 @@ def martin_moyce_measure(_):
 
 def free_fall(columns, _):
     fallen = exact.fall(times_of(columns)[-1], 2.225)
-    return [Result("height", column(columns, "y.min")[-1] - fallen, "m")]
+    return [Result("height", column(columns, "y.min")[-1] - fallen, "+m")]
 
 
 def asking(*names):
