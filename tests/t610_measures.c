@@ -172,6 +172,71 @@ static void probes_of_a_linear_pressure(void **state)
     done();
 }
 
+/* A lattice of 4 points an edge, 0.1 m apart: sqrt(5/4) spacings about its middle (0.4, 0.2, 0.4). */
+static void spread_and_wave_of_a_lattice(void **state)
+{
+    (void)state;
+    world_open(&w, SCENE(DOWN, MOVING, "0", "{\"quantity\": \"spread\"}, {\"quantity\": \"wave\","
+        "\"wavelength\": 1, \"at\": [0.4, 0, 0]}, {\"quantity\": \"wave\", \"name\": \"up\","
+        "\"axis\": \"y\", \"wavelength\": 0.8}"));
+    take(0);
+    near("spread.x (m)", 0.1 * sqrt(1.25), 1e-9);
+    near("spread.y (m)", 0.1 * sqrt(1.25), 1e-9);
+    near("spread.z (m)", 0.1 * sqrt(1.25), 1e-9);
+    near("wave.cosine (1)", (cos(0.1 * M_PI) + cos(0.3 * M_PI)) / 2, 1e-9);
+    near("wave.sine (1)", 0, 1e-9);
+    near("up.cosine (1)", 0, 1e-9); /* half a wave: y/0.8 from 1/16 to 7/16 */
+    near("up.sine (1)", (sin(M_PI / 8) + sin(3 * M_PI / 8)) / 2, 1e-9);
+    done();
+}
+
+/* Five slabs of 0.2 m: the body fills the second and third along x, two rows of particles in each. */
+static void layers_of_a_linear_pressure(void **state)
+{
+    (void)state;
+    world_open(&w, SCENE(DOWN, MOVING, "0", "{\"quantity\": \"layers\", \"axis\": \"x\","
+        "\"points\": 5}, {\"quantity\": \"layers\", \"name\": \"upright\"}"));
+    for (size_t i = 0; i < 64; i++)
+        motions()[i].pressure = (float)(1000 + 2000 * world_metres(&w, i, 0));
+    take(0);
+    near("layers.1.coordinate (m)", 0.3, 1e-9);
+    near("layers.1.velocity.x (m/s)", 1, 1e-12);
+    near("layers.1.velocity.y (m/s)", 2, 1e-12);
+    near("layers.1.velocity.z (m/s)", 3, 1e-12);
+    near("layers.1.pressure (Pa)", 1600, 1e-3);
+    near("layers.2.coordinate (m)", 0.5, 1e-9);
+    near("layers.2.pressure (Pa)", 2000, 1e-3);
+    near("layers.4.coordinate (m)", 0.9, 1e-9);
+    near("layers.4.velocity.x (m/s)", 0, 0);
+    near("layers.4.pressure (Pa)", 0, 0);
+    near("upright.0.coordinate (m)", 0.05, 1e-9);
+    near("upright.3.pressure (Pa)", 1800, 1e-3);
+    near("upright.9.coordinate (m)", 0.95, 1e-9);
+    done();
+}
+
+/* A shear that starts as asked has no error; later than its decay, or faster, it has. */
+static void flow_error_of_a_shear(void **state)
+{
+    (void)state;
+    world_open(&w, SCENE(DOWN, "[0, 0, 0], \"flow\": \"shear\", \"flow_length\": 0.5", "0",
+        "{\"quantity\": \"flow-error\", \"flow\": \"shear\", \"flow_length\": 0.5, \"decay\": 2},"
+        "{\"quantity\": \"flow-error\", \"name\": \"double\", \"flow\": \"shear\"},"
+        "{\"quantity\": \"flow-error\", \"name\": \"none\", \"flow\": \"none\"}"));
+    take(0);
+    near("flow-error.speed (1)", 0, 1e-6);
+    near("flow-error.velocity (1)", 0, 1e-6);
+    near("flow-error.part (1)", 1, 1e-6);
+    near("double.speed (1)", 1, 1e-6); /* 2 y against y */
+    near("double.velocity (1)", 1, 1e-6);
+    near("double.part (1)", 2, 1e-6);
+    near("none.part (1)", 0, 0);
+    take(0.5);
+    near("flow-error.part (1)", exp(1), 1e-5);
+    near("flow-error.speed (1)", exp(1) - 1, 1e-5);
+    done();
+}
+
 static int by_value(const void *a, const void *b)
 {
     double l = *(const double *)a, r = *(const double *)b;
@@ -217,7 +282,9 @@ static void order_in_memory_does_not_matter(void **state)
     (void)state;
     world_open(&w, SCENE(DOWN, MOVING, "0.3", "{\"quantity\": \"energy\"}, {\"quantity\": "
         "\"momentum\"}, {\"quantity\": \"mass-centre\"}, {\"quantity\": \"density-error\"},"
-        "{\"quantity\": \"volume\"}, {\"quantity\": \"extent\"}, {\"quantity\": \"pressure\","
+        "{\"quantity\": \"volume\"}, {\"quantity\": \"extent\"}, {\"quantity\": \"spread\"},"
+        "{\"quantity\": \"wave\", \"wavelength\": 1}, {\"quantity\": \"layers\"},"
+        "{\"quantity\": \"flow-error\", \"flow\": \"shear\"}, {\"quantity\": \"pressure\","
         "\"at\": [0.4, 0.2, 0.4]}, {\"quantity\": \"angular-momentum\"}, {\"quantity\": "
         "\"wall-pressure\", \"face\": \"-y\"}, {\"quantity\": \"profile\", \"from\": [0.3, 0, 0.3],"
         "\"to\": [0.3, 0.3, 0.3]}"));
@@ -274,6 +341,9 @@ int main(void)
         cmocka_unit_test(shape_of_a_lattice),
         cmocka_unit_test(up_follows_gravity),
         cmocka_unit_test(probes_of_a_linear_pressure),
+        cmocka_unit_test(spread_and_wave_of_a_lattice),
+        cmocka_unit_test(layers_of_a_linear_pressure),
+        cmocka_unit_test(flow_error_of_a_shear),
         cmocka_unit_test(quantiles_are_ranks),
         cmocka_unit_test(order_in_memory_does_not_matter),
         cmocka_unit_test(a_block_moves_uniformly),

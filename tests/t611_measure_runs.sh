@@ -16,7 +16,8 @@ cat >"$scene" <<'X'
     {"quantity": "wall-pressure", "face": "+x", "min": [0, 0, 0], "max": [0.5, 0.1, 0.3]},
     {"quantity": "front"}, {"quantity": "height", "at": [0.1, 0, 0.1]}, {"quantity": "extent"},
     {"quantity": "profile", "from": [0.1, 0, 0.1], "to": [0.1, 0.3, 0.1], "points": 4},
-    {"quantity": "angular-momentum"}] }
+    {"quantity": "angular-momentum"}, {"quantity": "spread"}, {"quantity": "wave", "wavelength": 0.5},
+    {"quantity": "layers", "points": 4}, {"quantity": "flow-error", "flow": "rotation"}] }
 X
 run() { # ARGUMENTS...
     rm -f "$csv"
@@ -30,7 +31,7 @@ result $? "a run with a csv output"
 result $? "a row at each chosen time: $(row_times)"
 head -n 1 "$csv" | grep -q '^time (s),energy.kinetic (J),energy.potential (J),energy.total (J),mom'
 result $? "the first line has names and units"
-awk -F, 'NR == 1 {n = NF} NF != n {bad = 1} END {exit bad || n != 52}' "$csv"
+awk -F, 'NR == 1 {n = NF} NF != n {bad = 1} END {exit bad || n != 80}' "$csv"
 result $? "every row has every column"
 tail -n +2 "$csv" >"$work/rows"
 ! grep -qE 'nan|inf|(^|,)-0(,|$)' "$work/rows"
@@ -79,7 +80,7 @@ state >"$work/plain"
 run -o "$csv" --set time.measure=auto --report "$work/report.json"
 state | cmp - "$work/plain" >>"$work/out" 2>&1
 result $? "rows at frame times change no state"
-jq -e '.measured == {"rows": 7, "columns": 52, "every": 0.05} and (.seconds | has("measure"))' \
+jq -e '.measured == {"rows": 7, "columns": 80, "every": 0.05} and (.seconds | has("measure"))' \
     "$work/report.json" >"$work/out"
 result $? "the report has rows and columns"
 run -o "$csv" --report "$work/report.json"
@@ -116,7 +117,7 @@ result $? "and takes neither memory nor time"
 run -o null --plan && grep -q "measures of the scene: no output is a csv" "$work/out" &&
     ! grep -q "^measured" "$work/out"
 result $? "and the plan leaves it out"
-run -o "$csv" --plan && grep -q "^measured every 0.07 s, 52 columns" "$work/out" &&
+run -o "$csv" --plan && grep -q "^measured every 0.07 s, 80 columns" "$work/out" &&
     grep -q "P1, pressure: " "$work/out" && [ ! -e "$csv" ]
 result $? "the plan lists what is measured"
 run -o "$csv" --set 'measure=[]' && head -n 1 "$csv" | tr ',' '\n' | sed 's/[. ].*//' | uniq |

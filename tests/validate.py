@@ -2,9 +2,9 @@
 """Runs the validation scenes with measured quantities and prints errors against exact solutions.
 
 Usage: tests/validate.py [CASE...]; SPH is the program, default build/sph-render. Each case runs with
-each solver of SOLVERS (default "dfsph wcsph"). What cannot be measured is reported as skipped.
+each solver of SOLVERS, by default those that the program lists but muller, and ends in a table in
+Markdown. What cannot be measured says why. LIMIT is the longest that a run may take, s.
 """
-import collections
 import csv
 import json
 import os
@@ -12,14 +12,24 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
-import validate_exact as exact
+from validate_cases import CASES, Missing
 
 SCENES = pathlib.Path(__file__).resolve().parent.parent / "scenes" / "validation"
 
 
-class Missing(Exception):
-    """The measured file has no such column."""
+def program():
+    return os.environ.get("SPH", "build/sph-render")
+
+
+def solvers():
+    named = os.environ.get("SOLVERS")
+    if named:
+        return named.split()
+    text = subprocess.run([program(), "list", "solvers"], text=True, stdout=subprocess.PIPE,
+                          check=True).stdout
+    return [row.split()[0] for row in text.splitlines()[1:] if row.split()[0] != "muller"]
 
 
 def scene_path(name):
@@ -32,121 +42,121 @@ def read_columns(file):
     return {name.strip(): [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
 
 
-def column(columns, *words):
-    """The first column whose name has all the words."""
-    for name, values in columns.items():
-        if all(word in name for word in words):
-            return values
-    raise Missing(" ".join(words))
+def change(scene, path, value):
+    """Sets a key by its path, as --set does: fluids.0.viscosity"""
+    *parents, last = [int(word) if word.isdigit() else word for word in path.split(".")]
+    for word in parents:
+        scene = scene[word]
+    scene[last] = value
 
 
-def measured(program, case, solver, folder):
-    """Runs a scene with what the case measures; columns by name, or None when it cannot be."""
+def scene_of(case, solver, changes=None):
+    """The case's scene, with what it measures, for that solver. Frames, at which a run stops as well,
+    come when rows do."""
     scene = json.loads(scene_path(case.scene).read_text())
-    scene["measure"] = case.measure
-    if scene["solver"]["method"] != solver:
-        scene["solver"] = {"method": solver}
-    scene["time"]["measure"] = scene["time"]["end"] / 200
-    source, table = folder / (case.scene + ".json"), folder / (case.scene + ".csv")
+    scene["solver"] = {"method": solver, **case.settings.get(solver, {})}
+    for path, value in {**case.changes, **(changes or {})}.items():
+        change(scene, path, value)
+    scene["measure"] = case.measure(scene)
+    scene["time"]["measure"] = case.rows
+    scene["movie"].update({"start": 0, "fps": 1, "speed": case.rows})
+    return scene
+
+
+def measured(scene, folder):
+    """Runs a scene; columns by name."""
+    source, rows = folder / "scene.json", folder / "rows.csv"
     source.write_text(json.dumps(scene))
-    run = subprocess.run([program, str(source), "-q", "-o", str(table)], text=True,
-                         stderr=subprocess.PIPE, check=False)
+    limit = os.environ.get("LIMIT")
+    try:
+        run = subprocess.run([program(), str(source), "-q", "-o", str(rows)], text=True,
+                             stderr=subprocess.PIPE, check=False,
+                             timeout=float(limit) if limit else None)
+    except subprocess.TimeoutExpired as expired:
+        raise Missing(f"took longer than {expired.timeout:g} s") from expired
     if run.returncode:
         raise Missing(run.stderr.strip().splitlines()[-1] if run.stderr else "the run failed")
-    with open(table, encoding="utf-8") as file:
+    with open(rows, encoding="utf-8") as file:
         return read_columns(file)
 
 
-def energy_ratio(columns):
-    """(times, kinetic energy over that at the start)"""
-    energy = column(columns, "kinetic")
-    return column(columns, "time"), [e / energy[0] for e in energy]
+def errors_of(case, solver, changes=None):
+    """Runs a case; its Results."""
+    scene = scene_of(case, solver, changes)
+    with tempfile.TemporaryDirectory() as folder:
+        return case.compare(measured(scene, pathlib.Path(folder)), scene)
 
 
-def compare_energy(columns, solution):
-    times, ratios = energy_ratio(columns)
-    reference = [solution(t) for t in times]
-    return {"L2 of energy": exact.l2(ratios, reference),
-            "energy at the end": ratios[-1] / reference[-1] - 1}
+def number(value, form):
+    if "%" in form:
+        value *= 100
+    digits = 3 if 10 <= abs(value) < 1000 else 2
+    return f"{value:+.{digits}g}" if "+" in form else f"{value:.{digits}g}"
 
 
-def taylor_green(columns):
-    return compare_energy(columns, lambda t: exact.taylor_green_energy(t, 100))
+def unit(form):
+    return " " + form.strip("+") if form else ""
 
 
-def beltrami(columns):
-    return compare_energy(columns, lambda t: exact.beltrami_energy(t, 0.01))
+def shown(result):
+    """Value with its unit; numbers in a row share one."""
+    values = result.value if isinstance(result.value, list) else [result.value]
+    return ", ".join(number(value, result.form) for value in values) + unit(result.form)
 
 
-def square_patch(columns):
-    return {"energy at the end": energy_ratio(columns)[1][-1] - 1}
+def wanted(result):
+    if result.asked is None:
+        return ""
+    bound = 100 * result.asked if "%" in result.form else result.asked
+    return f"< {bound:g}{unit(result.form)}"
 
 
-def standing_wave(columns):
-    nu = 9.81 ** 0.5 / 250
-    start = exact.wave_energy(0, 0.05, 1, 2, nu)
-    return compare_energy(columns, lambda t: exact.wave_energy(t, 0.05, 1, 2, nu) / start)
+def largest(result):
+    values = result.value if isinstance(result.value, list) else [result.value]
+    return max(abs(value) for value in values)
 
 
-def span(columns, axis):
-    """Length between the outermost particles along an axis at the end."""
-    return column(columns, "max", axis)[-1] - column(columns, "min", axis)[-1]
+def table(found, names):
+    """found: {case: {solver: Results or what was missing}}. Bold is more than asked."""
+    lines = ["| case | error of | asked | " + " | ".join(f"`{name}`" for name in names) + " |",
+             "|---" * (3 + len(names)) + "|"]
+    for case, by_solver in found.items():
+        results = [value for value in by_solver.values() if isinstance(value, list)]
+        for k, first in enumerate(results[0] if results else []):
+            cells = []
+            for name in names:
+                value = by_solver[name]
+                bold = isinstance(value, list) and first.asked and largest(value[k]) > first.asked
+                cell = shown(value[k]) if isinstance(value, list) else "failed"
+                cells.append(f"**{cell}**" if bold else cell)
+            lines.append(" | ".join([f"| {case if k == 0 else ''}", first.quantity, wanted(first)]
+                                    + cells) + " |")
+    return "\n".join(lines)
 
 
-def elliptic_drop(columns):
-    a, b = exact.ellipse(column(columns, "time")[-1], 100)
-    d = 0.025  # the outermost particles lie half a spacing inside
-    return {"a": (span(columns, "x") + d) / 2 / a - 1, "b": (span(columns, "y") + d) / 2 / b - 1}
-
-
-def free_fall(columns):
-    t = column(columns, "time")[-1]
-    return {"height, m": column(columns, "min", "y")[-1] - exact.fall(t, 2.225)}
-
-
-def martin_moyce(columns):
-    result = exact.martin_moyce(column(columns, "time"), column(columns, "front"))
-    if not result:
-        raise Missing("a front that passes Z = 1.44")
-    return {"RMS of T": result[0], "outside of the runs": 1 - result[1]}
-
-
-Case = collections.namedtuple("Case", "scene measure compare")
-ENERGY = [{"quantity": "energy"}]
-EXTENT = [{"quantity": "extent"}]
-CASES = (
-    Case("free-fall", EXTENT, free_fall),
-    Case("taylor-green-lattice", ENERGY, taylor_green),
-    Case("taylor-green-jitter", ENERGY, taylor_green),
-    Case("beltrami", ENERGY, beltrami),
-    Case("elliptic-drop", EXTENT, elliptic_drop),
-    Case("square-patch", ENERGY, square_patch),
-    Case("standing-wave", ENERGY, standing_wave),
-    Case("martin-moyce", [{"quantity": "front"}], martin_moyce),
-)
+def run(case, solver):
+    """Results, or what was missing; printed in one line."""
+    name, start = f"{case.name:24} {solver:6}", time.monotonic()
+    try:
+        results = errors_of(case, solver)
+    except Missing as missing:
+        print(name, "failed:", missing, flush=True)
+        return str(missing)
+    print(name, f"{time.monotonic() - start:5.0f} s ",
+          "; ".join(f"{result.quantity} {shown(result)}" for result in results), flush=True)
+    return results
 
 
 def main(names):
-    program = os.environ.get("SPH", "build/sph-render")
-    unknown = set(names) - {case.scene for case in CASES}
+    unknown = set(names) - {case.name for case in CASES}
     if unknown:
         sys.exit("no such case: " + ", ".join(sorted(unknown)) + "; there are " +
-                 ", ".join(case.scene for case in CASES))
-    done = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for case in CASES:
-            if names and case.scene not in names:
-                continue
-            for solver in os.environ.get("SOLVERS", "dfsph wcsph").split():
-                name = f"{case.scene:24} {solver:6}"
-                try:
-                    errors = case.compare(measured(program, case, solver, pathlib.Path(folder)))
-                except Missing as missing:
-                    print(name, "skipped:", missing, flush=True)
-                    continue
-                done += 1
-                print(name, ", ".join(f"{k} {v:+.3g}" for k, v in errors.items()), flush=True)
-    print(f"{done} cases measured")
+                 ", ".join(case.name for case in CASES))
+    asked = solvers()
+    found = {case.name: {solver: run(case, solver) for solver in asked}
+             for case in CASES if not names or case.name in names}
+    print("\n" + table(found, asked))
+    print("\nBold is more than asked.")
 
 
 if __name__ == "__main__":

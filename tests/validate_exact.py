@@ -1,4 +1,5 @@
 """Exact solutions and measured references of the validation cases, and error norms. SI units."""
+import cmath
 import math
 
 PI = math.pi
@@ -104,6 +105,18 @@ def ellipse(t, rate, radius=1.0, steps=4000):
     return a, radius * radius / a
 
 
+def ellipse_reach(part):
+    """x / a beyond which that part of an ellipse's area lies: (th - sin th cos th) / pi, x = a cos th."""
+    low, high = 0.0, PI
+    for _ in range(60):
+        th = (low + high) / 2
+        if (th - math.sin(th) * math.cos(th)) / PI < part:
+            low = th
+        else:
+            high = th
+    return math.cos(low)
+
+
 def oscillating_drop(t, sigma=0.5, omega=1.0, radius=1.0, steps=4000):
     """(a, b, sigma) under the force -omega^2 x (Monaghan & Rafiee 2013)."""
     def rates(s):
@@ -138,6 +151,18 @@ def wave_frequency(depth, length, g=9.81):
     """Angular frequency of a small wave: omega^2 = g k tanh kH."""
     k = 2 * PI / length
     return math.sqrt(g * k * math.tanh(k * depth))
+
+
+def viscous_wave(depth, length, nu, g=9.81):
+    """(angular frequency, damping rate) of the small wave in a viscous fluid with a free surface, s:
+    (s + 2 nu k^2)^2 + omega^2 = 4 nu^2 k^4 sqrt(1 + s / (nu k^2)) (Lamb, Hydrodynamics, art. 349, of
+    deep water). Without the right side, which counts the vorticity below the surface, the damping
+    is 2 nu k^2."""
+    rate, omega = nu * (2 * PI / length) ** 2, wave_frequency(depth, length, g)
+    s = -2 * rate + 1j * omega
+    for _ in range(100 if nu > 0 else 0):
+        s = -2 * rate + 1j * cmath.sqrt(omega ** 2 - 4 * rate ** 2 * cmath.sqrt(1 + s / rate))
+    return s.imag, -s.real
 
 
 def wave_energy(t, amplitude, depth, length, nu, g=9.81):
@@ -178,6 +203,23 @@ def crossing(times, values, level):
             part = (level - values[k - 1]) / (values[k] - values[k - 1])
             return times[k - 1] + part * (times[k] - times[k - 1])
     return None
+
+
+def interpolated(xs, ys, x):
+    """y at x of a piecewise linear curve with rising xs; None outside of it."""
+    for k in range(1, len(xs)):
+        if xs[k - 1] <= x <= xs[k]:
+            return ys[k - 1] + (x - xs[k - 1]) / (xs[k] - xs[k - 1]) * (ys[k] - ys[k - 1])
+    return None
+
+
+def martin_moyce_height(times, heights, width=MARTIN_MOYCE_WIDTH, g=9.81):
+    """Compares the height at the back wall, m, with Table 6. Gives (RMS of the error of
+    h / (2 a), number of rows compared), or None."""
+    taus = [t * math.sqrt(g / width) for t in times]
+    found = [(interpolated(taus, heights, tau), h) for tau, h in MARTIN_MOYCE_HEIGHT]
+    errors = [height / (2 * width) - h for height, h in found if height is not None]
+    return (math.sqrt(sum(e * e for e in errors) / len(errors)), len(errors)) if errors else None
 
 
 def martin_moyce(times, fronts, width=MARTIN_MOYCE_WIDTH, g=9.81):

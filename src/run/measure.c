@@ -177,7 +177,7 @@ const double *measures_take(struct measures *measures, const struct scene *scene
                             const struct particles *particles, double time)
 {
     struct measured m = {.scene = scene, .space = space, .choice = choice, .particles = particles,
-                         .place = measures->place, .count = particles->count};
+                         .place = measures->place, .count = particles->count, .time = time};
     find_up(&m);
     for (size_t i = 0; i < m.count; i++)
         measures->place[particles_id(particles)[i]] = (uint32_t)i;

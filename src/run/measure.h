@@ -20,6 +20,7 @@ struct measured {
     const struct particles *particles; /* as the back end has them, in any order */
     const uint32_t *place;             /* by id: where the particle is in memory */
     size_t count;
+    double time;                       /* s */
     double up[3];                      /* against gravity, or y */
 };
 

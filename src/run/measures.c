@@ -3,7 +3,8 @@
 
 extern const struct measure_row measure_energy, measure_momentum, measure_angular_momentum,
     measure_mass_centre, measure_speed, measure_density_error, measure_volume, measure_extent,
-    measure_front, measure_height, measure_pressure, measure_wall_pressure, measure_profile;
+    measure_spread, measure_front, measure_height, measure_wave, measure_pressure,
+    measure_wall_pressure, measure_profile, measure_layers, measure_flow_error;
 
 static const struct variant *const rows[] = {
     &measure_energy.variant,
@@ -14,11 +15,15 @@ static const struct variant *const rows[] = {
     &measure_density_error.variant,
     &measure_volume.variant,
     &measure_extent.variant,
+    &measure_spread.variant,
     &measure_front.variant,
     &measure_height.variant,
+    &measure_wave.variant,
     &measure_pressure.variant,
     &measure_wall_pressure.variant,
     &measure_profile.variant,
+    &measure_layers.variant,
+    &measure_flow_error.variant,
 };
 
 const struct variant_table measure_table = {

@@ -60,7 +60,11 @@ struct scene_measure {
     double min[3], max[3];        /* m, rectangle on the face; NAN: all of it */
     int axis, side;               /* 0 x, 1 y, 2 z; 0 the largest coordinate, 1 the lowest */
     double from[3], to[3];        /* m, ends of a line */
-    int64_t points;               /* on it */
+    int64_t points;               /* on it, or slabs */
+    double wavelength;            /* m */
+    char flow[KEY_TEXT_SIZE];     /* table "flows", as of a body */
+    double flow_center[3], flow_length, flow_speed; /* m, m, m/s */
+    double decay;                 /* 1/s */
 };
 
 struct scene_option { /* a variant's own key, by path */
