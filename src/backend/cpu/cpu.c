@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "solver/part.h"
 
 #include <math.h>
 #include <omp.h>
@@ -172,8 +173,19 @@ failed:
 static enum status build_neighbours(struct backend *b, double radius, struct error *e)
 {
     struct row_build work = row_build(b, radius);
+    float near = (float)(PART_NEAR * b->choice.spacing / b->choice.smoothing_length);
+    work.coincident = near * near;
     if (rows_build(&b->rows, &work, b->isa, true, e))
         return e->status;
+    if (b->rows.coincident) {
+        cpu_part(b, work.coincident);
+        if (cpu_sort(b, &b->particles, &b->cells, b->axis, radius, e))
+            return e->status;
+        work.points = particles_position(&b->particles);
+        if (rows_build(&b->rows, &work, b->isa, true, e))
+            return e->status;
+    }
+    work.coincident = 0;
     if (b->wall.count) {
         work.cells = &b->wall_cells;
         work.candidate_count = b->wall.count;

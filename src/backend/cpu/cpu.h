@@ -36,6 +36,9 @@ struct backend {
 enum status cpu_sort(struct backend *b, struct particles *p, struct cells *cells,
                      uint32_t *const axis[3], double radius, struct error *e);
 
+/* Moves particles apart whose distance squared is below `near`, in smoothing lengths, by their rows. */
+void cpu_part(struct backend *b, float near);
+
 /* The passes over particles. */
 void cpu_predict(struct backend *b, struct step *step);
 void cpu_correct(struct backend *b, struct step *step);

@@ -31,12 +31,14 @@ struct row_build {
     bool same;                /* candidates are the points: leave the particle itself out */
     float scale[3];           /* counts to smoothing lengths */
     float limit;              /* square of the list radius, in smoothing lengths */
+    float coincident;         /* and of the distance below which two share a place; 0: none does */
 };
 
 /* Rows of one block as they are being built: 16 lists of `room` entries each. */
 struct row_scratch {
     uint32_t *list;
     size_t room;
+    bool coincident; /* whether any neighbour so far is so near */
     uint32_t count[PARTICLE_BLOCK];
 };
 

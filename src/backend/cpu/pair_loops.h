@@ -315,6 +315,8 @@ static size_t loops_build(const struct row_build *b, size_t block, struct row_sc
 {
     struct candidates near = {.cell = UINT32_MAX};
     struct row_build work = *b; /* a copy that no store can alias */
+    const float limit[2] = {b->limit, b->coincident};
+    bool coincident = false;
     for (size_t l = 0; l < PARTICLE_BLOCK; l++) {
         size_t i = block * PARTICLE_BLOCK + l;
         uint32_t *list = scratch->list + l * scratch->room, *end = list;
@@ -326,10 +328,12 @@ static size_t loops_build(const struct row_build *b, size_t block, struct row_sc
         if (near.sum + PARTICLE_BLOCK > scratch->room)
             return near.sum + PARTICLE_BLOCK;
         for (int r = 0; r < near.ranges; r++)
-            end = rows_append(end, work.axis, point, work.scale, work.limit, near.range[r].first,
-                              near.range[r].last, work.same ? (uint32_t)i : UINT32_MAX);
+            end = rows_append(end, work.axis, point, work.scale, limit, near.range[r].first,
+                              near.range[r].last, work.same ? (uint32_t)i : UINT32_MAX,
+                              &coincident);
         scratch->count[l] = (uint32_t)(end - list);
     }
+    scratch->coincident |= coincident;
     return 0;
 }
 

@@ -13,6 +13,7 @@ struct rows {
     struct rows_arena *arena;
     int arena_count;
     double entries;          /* sum of count */
+    bool coincident;         /* whether two particles share a place */
 };
 
 enum status rows_create(struct rows *rows, size_t points, int threads, struct error *e);
