@@ -36,7 +36,8 @@ static void choose_damping(const struct scene *scene, struct solver_choice *choi
     if (!thin)
         return;
     choice->flags |= PAIR_ARTIFICIAL;
-    choice->pair.artificial = (float)(THIN_ALPHA * choice->sound_speed * lightest);
+    choice->pair.artificial = (float)(THIN_ALPHA * choice->sound_speed *
+                                      (choice->mixed ? 1 : lightest));
 }
 
 /* In corners the summed density of the start lattice exceeds that at rest by 5e-4, which a stiff fluid
@@ -58,6 +59,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
         choice->each.bulk[f] = (float)(scene->fluids[f].density * choice->sound_speed *
                                        choice->sound_speed);
     choice->flags |= PAIR_MULLER;
+    solver_mix(choice);
     choose_damping(scene, choice);
     choose_masses(scene, choice);
     /* The pair bodies add mu_i + mu_j; Mueller's viscosity kernel takes the mean. His mean pressure

@@ -51,6 +51,10 @@ static enum status allocate(struct backend *b, struct error *e)
         b->number = memory_create("kernel sums", padded, sizeof(float), e);
         ok = ok && b->number;
     }
+    if (b->choice.flags & PAIR_MIXED) {
+        b->rest = memory_create("rest densities", padded, sizeof(float), e);
+        ok = ok && b->rest;
+    }
     if (b->choice.tension.any && b->particles.now[FIELD_FLUID]) {
         b->fluid = memory_create("fluids of neighbours", padded, sizeof(float), e);
         ok = ok && b->fluid;
@@ -130,6 +134,7 @@ static void cpu_close(struct backend *b)
     memory_free(b->residual);
     memory_free(b->inverse_density);
     memory_free(b->fluid);
+    memory_free(b->rest);
     free(b);
 }
 
@@ -195,6 +200,8 @@ static enum status build_neighbours(struct backend *b, double radius, struct err
         if (rows_build(&b->wall_rows, &work, b->isa, false, e))
             return e->status;
     }
+    for (size_t i = 0; b->rest && i < b->particles.count; i++)
+        b->rest[i] = b->choice.each.rest_density[particles_fluid(&b->particles, i)];
     b->counts.row_entries = b->rows.entries + b->wall_rows.entries;
     return STATUS_OK;
 }

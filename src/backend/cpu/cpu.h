@@ -22,6 +22,7 @@ struct backend {
     float *inverse_density;          /* 1 / rest density; only with an implicit solver and fluids
                                         that differ in it */
     float *fluid;                    /* index; only with surface tension and several fluids */
+    float *rest;                     /* rest densities; only with PAIR_MIXED */
     int64_t *residual;               /* of each block; only with an implicit solver */
     struct {
         double product; /* of the residual with itself, preconditioned, J/m^3 */

@@ -84,8 +84,10 @@ struct pair_work {
     const struct position *position;
     const struct motion *motion;
     const float *viscosity;    /* per particle, or NULL */
+    const float *rest;         /* rest density per particle; only with PAIR_MIXED */
     const float *density;      /* present density, kg/m^3; NULL: at rest density */
     const float *rest_density; /* of each fluid, kg/m^3 */
+    const float *softness;     /* c0 / speed of sound of each fluid; NULL: all 1 */
     const float *inverse_density; /* 1 / rest density per particle; NULL: all fluids are alike */
     const uint8_t *fluid;      /* or NULL */
     const struct shift *shift; /* of the last step; NULL: no shifting */

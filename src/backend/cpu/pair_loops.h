@@ -136,6 +136,7 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     }
     real rho0 = real_load(rest), zero = real_set(0);
     p.state.inverse_volume = real_load(inverse);
+    p.state.rest = rho0;
     p.constants = (struct pair_lane_constants){
         real_set(w->constants.viscosity), real_set(w->constants.inverse_h),
         real_set(w->constants.artificial), rho0 * real_set(head[0]),
@@ -162,6 +163,7 @@ FORCE_INLINE struct lane_neighbour neighbour_load(const struct pair_work *w,
                                   .vz = motion[2], .pressure = motion[3]};
     n.state.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
                                                    : real_set(0);
+    n.state.rest = flags & PAIR_MIXED ? lookup_load(w->rest, index) : real_set(0);
     return n;
 }
 
@@ -183,11 +185,13 @@ static inline void rate_store(const struct pair_work *w, size_t i, const struct 
     real_store(sum[4], s->diffusion);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
         struct rate *rate = &w->rate[i + l];
-        float rest = w->rest_density[w->fluid ? w->fluid[i + l] : 0];
+        int fluid = w->fluid ? w->fluid[i + l] : 0;
+        float rest = w->rest_density[fluid];
+        float diffusion = w->softness ? c->diffusion * w->softness[fluid] : c->diffusion;
         float density = w->density ? w->density[i + l] : rest, front = c->gradient / density;
         for (int a = 0; a < 3; a++)
             rate->acceleration[a] = c->gravity[a] + front * settled(sum[a][l]);
-        rate->density = c->gradient * (density * settled(sum[3][l]) + c->diffusion * settled(sum[4][l]));
+        rate->density = c->gradient * (density * settled(sum[3][l]) + diffusion * settled(sum[4][l]));
     }
 }
 
