@@ -29,6 +29,7 @@ struct cloud {
     struct particles particles, wall;
     uint32_t *axis[3], *wall_axis[3];
     float *number; /* w sums */
+    float *rest;   /* rest density of each particle */
     struct rows rows, wall_rows;
     struct pair_constants constants;
     float rest_density[CLOUD_FLUIDS];
@@ -156,6 +157,7 @@ static inline void cloud_make(struct cloud *c, enum cloud_kind kind, size_t coun
     assert_int_equal(particles_create(&c->wall, c->wall_count,
                                       FIELD_BIT(FIELD_POSITION) | FIELD_BIT(FIELD_ID), &e), 0);
     c->number = calloc(count + 2 * PARTICLE_BLOCK, sizeof *c->number);
+    c->rest = calloc(count + 2 * PARTICLE_BLOCK, sizeof *c->number);
     cloud_constants(c);
     cloud_place(c, kind, &c->particles, &seed);
     cloud_place(c, kind, &c->wall, &seed);
@@ -177,13 +179,17 @@ static inline void cloud_free(struct cloud *c)
     for (int a = 0; a < 3; a++)
         free(c->axis[a]), free(c->wall_axis[a]);
     free(c->number);
+    free(c->rest);
 }
 
 /* Runs a pass over the whole cloud; results are in `number` or in the field rate. */
 static inline void cloud_run(struct cloud *c, pair_function *pass)
 {
     struct particles *p = &c->particles;
+    for (size_t i = 0; i < c->count; i++)
+        c->rest[i] = c->rest_density[particles_fluid(p, i)];
     struct pair_work work = {.constants = c->constants,
+                             .rest = c->rest,
                              .position = particles_position(p),
                              .motion = particles_motion(p),
                              .viscosity = p->now[FIELD_VISCOSITY],

@@ -55,7 +55,7 @@ static inline double reference_number(const struct cloud *c, unsigned flags, siz
 
 /* One side of a pair: a particle, or a wall particle as i sees it. */
 struct reference_side {
-    double volume, velocity[3], pressure, viscosity;
+    double volume, velocity[3], pressure, viscosity, rest;
 };
 
 static inline struct reference_side reference_side(const struct cloud *c, size_t i)
@@ -65,7 +65,8 @@ static inline struct reference_side reference_side(const struct cloud *c, size_t
         particles_position(&c->particles)[i].volume,
         {m->velocity[0], m->velocity[1], m->velocity[2]},
         m->pressure,
-        ((const float *)c->particles.now[FIELD_VISCOSITY])[i]};
+        ((const float *)c->particles.now[FIELD_VISCOSITY])[i],
+        c->rest_density[particles_fluid(&c->particles, i)]};
 }
 
 /* Adds what j does to i, x = x_i - x_j, both in units of h = 1 m and V in d^3. */
@@ -87,8 +88,11 @@ static inline void reference_add(const struct cloud *c, unsigned flags, struct r
     double size = fabs(i->pressure) + fabs(j->pressure);
     if (flags & PAIR_SYMMETRIC)
         push = i->volume * i->pressure + j->volume * j->volume / i->volume * j->pressure;
+    double both = i->rest + j->rest, mean = flags & PAIR_MIXED ? 2 * i->rest * j->rest / both : 1;
+    if (flags & PAIR_MIXED)
+        push = 2 * j->volume * (j->rest * i->pressure + i->rest * j->pressure) / both;
     if (flags & PAIR_ARTIFICIAL)
-        push += j->volume * k->artificial * (dot < 0 ? -dot / q : 0.0);
+        push += j->volume * k->artificial * mean * (dot < 0 ? -dot / q : 0.0);
     if (flags & PAIR_DRAG_ONLY)
         push = 0;
     if (flags & PAIR_OWN_VISCOSITY)
@@ -97,11 +101,11 @@ static inline void reference_add(const struct cloud *c, unsigned flags, struct r
         pull = mu * j->volume * (flags & PAIR_MULLER ? -16.0 / 7 * (q < 2 ? 1 - q / 2 : 0) : slope);
     for (int a = 0; a < 3; a++) {
         r->rate[a] += front * (pull * (i->velocity[a] - j->velocity[a]) - slope * push * x[a]);
-        r->scale[a] += front * most * (5 * size + 400 * v) * fmin(q, 1) + front * 15 * v;
+        r->scale[a] += front * most * (5 * size + 400 * mean * v) * fmin(q, 1) + front * 15 * v;
     }
     if (flags & PAIR_CONTINUITY)
         r->rate[3] += k->gradient * rho * j->volume * slope * dot;
-    if (flags & PAIR_DIFFUSION)
+    if (flags & PAIR_DIFFUSION && (!(flags & PAIR_MIXED) || i->rest == j->rest))
         r->rate[3] += k->gradient * k->diffusion * j->volume * slope *
                       (i->pressure - j->pressure - head);
     r->scale[3] += k->gradient * most * (2 * rho * v * fmin(q, 1) +
@@ -130,7 +134,7 @@ static inline struct reference reference_rate(const struct cloud *c, unsigned fl
         for (int a = 0; a < 3; a++)
             head -= c->constants.head[a] * c->rest_density[particles_fluid(&c->particles, at)] * x[a];
         struct reference_side other = {wall->volume, {0}, fmax(own + fmin(head, 8 * own), 0),
-                                       i.viscosity};
+                                       i.viscosity, i.rest};
         reference_add(c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC), &r, at, &i, &other, x,
                       q);
     }

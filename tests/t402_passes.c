@@ -163,11 +163,18 @@ static void passes_exist(void **state)
     for (size_t k = 0; k < isa_count; k++)
         for (int walls = 0; walls < 2; walls++)
             for (int v = 0; v < 3; v++) {
-                assert_non_null(isas[k]->find(PAIR_PASS_FORCE, PAIR_MULLER | viscosity[v], walls));
+                for (unsigned a = 0; a <= PAIR_ARTIFICIAL; a += PAIR_ARTIFICIAL) {
+                    unsigned flags = PAIR_MULLER | viscosity[v] | a;
+                    assert_non_null(isas[k]->find(PAIR_PASS_FORCE, flags, walls));
+                    if (viscosity[v] != PAIR_VISCOUS)
+                        assert_non_null(isas[k]->find(PAIR_PASS_FORCE, flags | PAIR_MIXED, walls));
+                }
                 for (unsigned rest = 0; rest < 24; rest++) {
                     unsigned flags = rest % 2 | (rest / 2 % 2) * PAIR_ARTIFICIAL |
                                      (rest / 4 % 2) * PAIR_SYMMETRIC | density[rest / 8] |
                                      viscosity[v];
+                    if (!(flags & (PAIR_SYMMETRIC | PAIR_VISCOUS)))
+                        assert_non_null(isas[k]->find(PAIR_PASS_FORCE, flags | PAIR_MIXED, walls));
                     if (!isas[k]->find(PAIR_PASS_FORCE, flags, walls))
                         fail_msg("%s has no pass for flags %u", isas[k]->variant.name, flags);
                 }

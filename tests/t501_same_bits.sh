@@ -65,6 +65,7 @@ compare() {
 compare "dam break" scenes/dambreak.json --set particles.spacing=0.035 --end 1.6 --fps 15
 compare "explicit dam break" tests/scenes/dam.json
 compare "two fluids" tests/scenes/two-fluids.json
+compare "two fluids, pressure midway" tests/scenes/two-fluids.json --set solver.pressure_form=average
 compare "wall particles" tests/scenes/wall-particles.json
 compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.8 --fps 30
 compare "periodic" tests/scenes/periodic.json

@@ -27,6 +27,21 @@ for s in wcsph dfsph muller; do
     says 1 "strict: at t = 0[.][0-9]*[1-9]" "$s, strict, during the run" $run --strict --solver $s \
         --set time.step=$step --set time.end=1
 done
+# A drop of water whose sound is so slow that surface tension asks for the shortest step, 2e-4 s.
+cat >"$work/drop.json" <<'J'
+{ "domain": {"min": [0, 0, 0], "max": [5e-3, 5e-3, 3e-3]}, "particles": {"spacing": 5e-4},
+  "fluids": [{"density": 1000, "viscosity": 1e-3, "surface_tension": 0.07}],
+  "bodies": [{"shape": "box", "min": [1e-3, 1e-3, 1e-3], "max": [3e-3, 3e-3, 2e-3]}],
+  "solver": {"sound_speed": 0.45}, "time": {"end": 0.001}, "movie": {"size": [64, 64], "fps": 1000} }
+J
+says 1 "strict: at t = 0 s the capillary limit .* asks for a step of 0.0001975 s" "capillary, strict" \
+    "$work/drop.json" -o null --strict --set time.step=5e-4
+says 0 "time step .*capillary 0.0001975" "capillary, plan" \
+    "$work/drop.json" --plan --set time.step=5e-4
+says 0 frames "capillary, a longer step is shortened" "$work/drop.json" -o null --report "$work/drop" \
+    --set time.step=5e-4
+jq -e '.dt.max > 1.6e-4 and .dt.max <= 1.976e-4' "$work/drop" >"$work/out"
+result $? "capillary: the longest step is $(jq .dt.max "$work/drop") s"
 says 2 "gives no time.step" "strict without a step" $run --strict
 for how in --check --plan "-o null"; do
     says 1 "GB .*use a spacing of" "too much memory, $how" scenes/dambreak.json \

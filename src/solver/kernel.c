@@ -134,3 +134,24 @@ void kernel_plane_table(const struct kernel_row *kernel, double support, struct 
     }
     layer_table(kernel, support, table);
 }
+
+double kernel_plane_excess(const struct kernel_row *kernel, double support,
+                           const struct plane_table *table)
+{
+    double h = support / 2, whole = kernel_lattice_sum(kernel, support), most = 0;
+    int reach = (int)ceil(support);
+    for (int layer = 0; layer < reach; layer++) {
+        double at = (layer + 0.5) / h * PLANE_STEPS / 2, sum = 0;
+        int k = (int)at;
+        double behind = k < PLANE_STEPS ? table->volume[k] +
+                            (at - k) * (table->volume[k + 1] - table->volume[k]) : 0;
+        for (int z = -layer; z <= reach; z++)
+            for (int y = -reach; y <= reach; y++)
+                for (int x = -reach; x <= reach; x++) {
+                    double q = sqrt(x * x + y * y + z * z) / h;
+                    sum += q < 2 ? kernel->sigma / (h * h * h) * kernel->value(q) : 0;
+                }
+        most = fmax(most, sum / whole + behind - 1);
+    }
+    return most;
+}

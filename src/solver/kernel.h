@@ -43,6 +43,10 @@ struct plane_table {
     float area[PLANE_STEPS + 2], volume[PLANE_STEPS + 2]; /* at q = 2 k / PLANE_STEPS */
     float drag[PLANE_STEPS + 2], lever[PLANE_STEPS + 2];
 };
+/* Largest excess of the summed density of a lattice that stands half a spacing off a plane of the
+ * table, relative: layers behind the plane are smooth, those in front are points. */
+double kernel_plane_excess(const struct kernel_row *kernel, double support,
+                           const struct plane_table *table);
 void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table);
 
 #endif

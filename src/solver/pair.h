@@ -18,6 +18,7 @@ struct pair {
 /* What is read of a particle. */
 struct pair_state {
     real volume, vx, vy, vz, pressure, viscosity;
+    real rest;           /* rest density; only with PAIR_MIXED */
     real own, wall;      /* only of i: its pressure as the sum p_i + p_j has it, and a wall's */
     real inverse_volume; /* only of i, only with PAIR_SYMMETRIC */
 };
@@ -56,6 +57,33 @@ static inline __attribute__((always_inline)) void pair_density(real *sum, const 
     *sum = real_fma(weight, pair_value(p, flags), *sum);
 }
 
+/* p_i + p_j where rest densities differ: twice the pressure midway at which p falls by the same g in
+ * both, 2 (rho_j p_i + rho_i p_j)/(rho_i + rho_j) (Hu & Adams 2007). */
+static inline __attribute__((always_inline)) real pair_pressure(const struct pair_state *i,
+                              const struct pair_state *j, unsigned flags)
+{
+    if (!(flags & PAIR_MIXED))
+        return i->own + j->pressure;
+    real both = real_fma(j->rest, i->own, i->rest * j->pressure);
+    return (both + both) / (i->rest + j->rest);
+}
+
+/* Harmonic mean of the rest densities: of light and heavy, about twice the light one. */
+static inline __attribute__((always_inline)) real pair_harmonic(const struct pair_state *i,
+                              const struct pair_state *j)
+{
+    real product = i->rest * j->rest;
+    return (product + product) / (i->rest + j->rest);
+}
+
+/* 1 between particles of one rest density, 0 otherwise: density diffuses in one fluid only. */
+static inline __attribute__((always_inline)) real pair_alike(const struct pair_state *i,
+                              const struct pair_state *j)
+{
+    real apart = real_positive(i->rest - j->rest) + real_positive(j->rest - i->rest);
+    return real_positive(real_fma(apart, real_set(-1e12f), real_set(1)));
+}
+
 /* Momentum and continuity of weakly compressible SPH:
  *   dv_i/dt   = -1/rho_i sum V_j (p_i + p_j) grad W                     (Colagrossi & Landrini 2003;
  *               deep in shifting fluid (p_j - p_i), solver/shift.h)
@@ -65,7 +93,7 @@ static inline __attribute__((always_inline)) void pair_density(real *sum, const 
  *             + 2 delta h/c0 sum V_j (p_i - p_j - rho_i g.x_ij) W'/r    (Fourtakas et al. 2019, in
  *               terms of pressure, which is continuous where two fluids meet)
  * and the artificial viscosity of Monaghan 1997 for approaching pairs, as a pressure
- * alpha c0 rho0 (-v_ij . x_ij / r). */
+ * alpha c0 rho0 (-v_ij . x_ij / r), with PAIR_MIXED rho0 the harmonic mean of both. */
 static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s, const struct pair_state *i,
                               const struct pair_state *j, const struct pair *p,
                               const struct pair_lane_constants *c, unsigned flags)
@@ -73,13 +101,16 @@ static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s
     real slope = pair_slope(p, flags), weight = j->volume * slope;
     real vx = i->vx - j->vx, vy = i->vy - j->vy, vz = i->vz - j->vz;
     real dot = real_fma(vz, p->z, real_fma(vy, p->y, vx * p->x));
-    real push = weight * (i->own + j->pressure);
+    real push = weight * pair_pressure(i, j, flags);
     if (flags & PAIR_SYMMETRIC) /* 1/m_i = 1/(rho_i V_i), and 1/rho_i is applied in front */
         push = slope * real_fma(i->volume, i->pressure,
                                 j->volume * j->volume * j->pressure * i->inverse_volume);
-    if (flags & PAIR_ARTIFICIAL)
-        push = real_fma(c->artificial * weight, real_positive(real_set(0) - dot * p->inverse),
-                        push);
+    if (flags & PAIR_ARTIFICIAL) {
+        real stiffness = c->artificial * weight;
+        if (flags & PAIR_MIXED)
+            stiffness = stiffness * pair_harmonic(i, j);
+        push = real_fma(stiffness, real_positive(real_set(0) - dot * p->inverse), push);
+    }
     if (!(flags & PAIR_DRAG_ONLY)) {
         s->ax = s->ax - push * p->x;
         s->ay = s->ay - push * p->y;
@@ -101,7 +132,10 @@ static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s
     if (flags & PAIR_DIFFUSION) {
         real hydrostatic =
             real_fma(c->head_z, p->z, real_fma(c->head_y, p->y, c->head_x * p->x));
-        s->diffusion = real_fma(weight, (i->pressure - j->pressure) - hydrostatic, s->diffusion);
+        real share = weight;
+        if (flags & PAIR_MIXED)
+            share = weight * pair_alike(i, j);
+        s->diffusion = real_fma(share, (i->pressure - j->pressure) - hydrostatic, s->diffusion);
     }
 }
 
@@ -125,7 +159,7 @@ static inline __attribute__((always_inline)) void pair_wall(struct pair_sums *s,
     real zero = real_set(0);
     struct pair_state wall = {.volume = volume, .vx = zero, .vy = zero, .vz = zero,
                               .pressure = i->wall + pair_wall_head(i, p, c),
-                              .viscosity = i->viscosity};
+                              .viscosity = i->viscosity, .rest = i->rest};
     /* No density diffuses through the wall. */
     pair_force(s, i, &wall, p, c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC));
 }

@@ -12,7 +12,8 @@ enum pair_flag {
     PAIR_DIFFUSION = 64,     /* delta-SPH; only with continuity */
     PAIR_SYMMETRIC = 128,    /* pressure form V_i^2 p_i + V_j^2 p_j */
     PAIR_DRAG_ONLY = 256,    /* no pressure: an implicit solver pushes */
-    PAIR_FLAGS_END = 512
+    PAIR_MIXED = 512,        /* average form where rest densities differ; with own viscosities */
+    PAIR_FLAGS_END = 1024
 };
 
 /* Chosen once by the plan. */
@@ -23,7 +24,7 @@ struct pair_constants {
     float self;         /* w(0) */
     float viscosity;    /* 2 mu / h, Pa s/m */
     float inverse_h;    /* 1/m */
-    float artificial;   /* alpha c0 rho0, Pa s/m */
+    float artificial;   /* alpha c0 rho0, Pa s/m; with PAIR_MIXED alpha c0, m/s */
     float diffusion;    /* 2 delta / c0, s/m */
     float head[3];      /* g h, m^2/s^2: times rest density, the hydrostatic difference per q;
                            0 along periodic axes */

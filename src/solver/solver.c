@@ -118,6 +118,9 @@ static void choose_fluids(const struct scene *scene, const double *fluid_volume,
         viscosity = fmax(viscosity, fluid->viscosity / fluid->density);
         differ = differ || fluid->viscosity != scene->fluids[0].viscosity;
     }
+    choice->mixed = false;
+    for (size_t f = 1; f < scene->fluid_count; f++)
+        choice->mixed = choice->mixed || scene->fluids[f].density != scene->fluids[0].density;
     if (viscosity > 0)
         choice->flags |= differ ? PAIR_OWN_VISCOSITY : PAIR_VISCOUS;
     choice->pair.viscosity = (float)(2 * scene->fluids[0].viscosity / choice->smoothing_length);
@@ -125,6 +128,15 @@ static void choose_fluids(const struct scene *scene, const double *fluid_volume,
     choice->limits.viscous =
         viscosity > 0 ? 0.125 * choice->smoothing_length * choice->smoothing_length / viscosity
                       : INFINITY;
+}
+
+void solver_mix(struct solver_choice *choice)
+{
+    if (!choice->mixed)
+        return;
+    choice->flags |= PAIR_MIXED;
+    if (choice->flags & PAIR_VISCOUS)
+        choice->flags ^= PAIR_VISCOUS | PAIR_OWN_VISCOSITY;
 }
 
 static void choose_scales(const struct scene *scene, const struct space *space,

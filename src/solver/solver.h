@@ -19,7 +19,7 @@
  * dt <= min(acoustic h/(c0 + |v|max), force sqrt(h/|a|max), viscous h^2/nu,
  *           capillary sqrt(rho h^3/(2 pi sigma)), damping/rate). */
 struct step_limits {
-    double acoustic;  /* C1 h, m */
+    double acoustic;  /* C1 h c0/c of the fluid with the fastest sound, m */
     double force;     /* C2 */
     double viscous;   /* C3 h^2 / nu, s */
     double capillary; /* C4 sqrt(rho h^3 / (2 pi sigma)) (Brackbill et al. 1992), s */
@@ -42,7 +42,7 @@ struct solver_choice {
     double spacing;          /* d, m */
     double support;          /* support radius 2h, m */
     double smoothing_length; /* h, m */
-    double sound_speed;      /* c0, m/s */
+    double sound_speed;      /* c0, of the densest fluid, m/s */
     double fastest;          /* expected largest speed, m/s */
     double wall_speed;       /* of the fastest wall, m/s */
     double depth;            /* expected depth for pressure, m, along gravity */
@@ -50,6 +50,8 @@ struct solver_choice {
     double cfl;              /* of the scene or the solver */
     double moment;           /* of gradients on the lattice, with masses as they are */
     unsigned flags;          /* enum pair_flag, and the kernel's */
+    bool mixed;              /* rest densities of fluids differ */
+    float softness[FLUIDS_MAX]; /* c0 / speed of sound of each fluid, of wcsph */
     bool continuity;         /* density by continuity equation */
     bool shifting;           /* particles drift towards emptier places */
     float closeness;         /* 1 / w(d), of shifting */
@@ -106,6 +108,10 @@ double tension_plane(double support);
 
 /* Mass of all fluids over their volume, kg/m^3. */
 double external_mean_density(const struct scene *scene, const double *fluid_volume);
+
+/* Chooses the pressure form for fluids that differ in rest density, if they do; it takes viscosity per
+ * particle. */
+void solver_mix(struct solver_choice *choice);
 
 /* Makes the particles' density follow from the pressure they start with, by the inverse of the
  * equation of state, where density is a state (continuity); their masses stay. Negative pressure

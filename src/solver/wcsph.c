@@ -8,7 +8,7 @@
 static const struct key keys[] = {
     {.path = "solver.sound_speed", .type = KEY_REAL, .flags = KEY_AUTO | KEY_ABOVE_MIN,
      .fallback = "\"auto\"", .min = 0, .max = 1e6, .unit = "m/s", .offset = KEY_OPTION,
-     .doc = "numerical speed of sound; auto: 10 times the fastest expected flow"},
+     .doc = "numerical speed of sound, of the densest fluid; auto: 10 times the fastest expected flow"},
     {.path = "solver.eos", .type = KEY_CHOICE, .fallback = "\"tait\"", .choices = "tait|linear",
      .unit = "", .offset = KEY_OPTION,
      .doc = "equation of state: Tait with exponent 7, or linear in density"},
@@ -48,28 +48,50 @@ static void choose_shifting(const struct scene *scene, struct solver_choice *cho
         (float)(1 / choice->kernel->value(choice->spacing / choice->smoothing_length));
 }
 
+/* The lighter of two fluids is squeezed by noise of the denser one's pressure unless it is as stiff, but
+ * the same bulk modulus, c_l^2 rho_l = c_h^2 rho_h (Colagrossi & Landrini 2003), takes sqrt(rho_h/rho_l)
+ * as many steps. c = c0 (rho_h/rho)^(1/4), halfway, was enough at a ratio of 1000. */
+static void choose_bulk(const struct scene *scene, double densest, struct solver_choice *choice)
+{
+    double swiftest = 1;
+    for (size_t f = 0; f < scene->fluid_count; f++) {
+        double density = scene->fluids[f].density, c0 = choice->sound_speed;
+        double bulk = density * c0 * c0, stiffer = sqrt(densest / density);
+        choice->softness[f] = (float)(1 / sqrt(stiffer));
+        bulk *= stiffer;
+        choice->each.bulk[f] = (float)(choice->each.tait ? bulk / 7 : bulk);
+        swiftest = fmax(swiftest, sqrt(stiffer));
+    }
+    choice->limits.acoustic /= swiftest;
+}
+
 static void choose(const struct scene *scene, struct solver_choice *choice)
 {
     double alpha = scene_real(scene, "solver.artificial_viscosity");
     double delta = scene_real(scene, "solver.diffusion");
-    double c0 = scene_real(scene, "solver.sound_speed"), lightest = INFINITY;
+    double c0 = scene_real(scene, "solver.sound_speed"), lightest = INFINITY, densest = 0;
     choice->continuity = strcmp(scene_text(scene, "solver.density"), "continuity") == 0;
     choice->sound_speed = isnan(c0) ? fmax(10 * choice->fastest, 1e-3) : c0;
     choice->each.tait = strcmp(scene_text(scene, "solver.eos"), "tait") == 0;
     choice->each.clamp = scene_flag(scene, "solver.clamp_negative");
     for (size_t f = 0; f < scene->fluid_count; f++) {
-        double bulk = scene->fluids[f].density * choice->sound_speed * choice->sound_speed;
-        choice->each.bulk[f] = (float)(choice->each.tait ? bulk / 7 : bulk);
         lightest = fmin(lightest, scene->fluids[f].density);
+        densest = fmax(densest, scene->fluids[f].density);
     }
+    choose_bulk(scene, densest, choice);
     if (choice->continuity)
         choice->flags |= PAIR_CONTINUITY | (delta > 0 ? PAIR_DIFFUSION : 0);
     if (alpha > 0 || choice->ripple > 0)
         choice->flags |= PAIR_ARTIFICIAL;
     if (strcmp(scene_text(scene, "solver.pressure_form"), "symmetric") == 0)
         choice->flags |= PAIR_SYMMETRIC;
+    else
+        solver_mix(choice);
     choose_shifting(scene, choice);
-    choice->pair.artificial = (float)fmax(alpha * choice->sound_speed * lightest, choice->ripple);
+    choice->pair.artificial =
+        choice->flags & PAIR_MIXED
+            ? (float)fmax(alpha * choice->sound_speed, choice->ripple / densest)
+            : (float)fmax(alpha * choice->sound_speed * lightest, choice->ripple);
     choice->pair.diffusion = (float)(2 * delta / choice->sound_speed);
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "solver/part.h"
 
 #include <math.h>
 #include <omp.h>
@@ -49,6 +50,10 @@ static enum status allocate(struct backend *b, struct error *e)
     } else if (!b->choice.continuity) {
         b->number = memory_create("kernel sums", padded, sizeof(float), e);
         ok = ok && b->number;
+    }
+    if (b->choice.flags & PAIR_MIXED) {
+        b->rest = memory_create("rest densities", padded, sizeof(float), e);
+        ok = ok && b->rest;
     }
     if (b->choice.tension.any && b->particles.now[FIELD_FLUID]) {
         b->fluid = memory_create("fluids of neighbours", padded, sizeof(float), e);
@@ -129,6 +134,7 @@ static void cpu_close(struct backend *b)
     memory_free(b->residual);
     memory_free(b->inverse_density);
     memory_free(b->fluid);
+    memory_free(b->rest);
     free(b);
 }
 
@@ -172,8 +178,19 @@ failed:
 static enum status build_neighbours(struct backend *b, double radius, struct error *e)
 {
     struct row_build work = row_build(b, radius);
+    float near = (float)(PART_NEAR * b->choice.spacing / b->choice.smoothing_length);
+    work.coincident = near * near;
     if (rows_build(&b->rows, &work, b->isa, true, e))
         return e->status;
+    if (b->rows.coincident) {
+        cpu_part(b, work.coincident);
+        if (cpu_sort(b, &b->particles, &b->cells, b->axis, radius, e))
+            return e->status;
+        work.points = particles_position(&b->particles);
+        if (rows_build(&b->rows, &work, b->isa, true, e))
+            return e->status;
+    }
+    work.coincident = 0;
     if (b->wall.count) {
         work.cells = &b->wall_cells;
         work.candidate_count = b->wall.count;
@@ -183,6 +200,8 @@ static enum status build_neighbours(struct backend *b, double radius, struct err
         if (rows_build(&b->wall_rows, &work, b->isa, false, e))
             return e->status;
     }
+    for (size_t i = 0; b->rest && i < b->particles.count; i++)
+        b->rest[i] = b->choice.each.rest_density[particles_fluid(&b->particles, i)];
     b->counts.row_entries = b->rows.entries + b->wall_rows.entries;
     return STATUS_OK;
 }

@@ -22,6 +22,7 @@ struct backend {
     float *inverse_density;          /* 1 / rest density; only with an implicit solver and fluids
                                         that differ in it */
     float *fluid;                    /* index; only with surface tension and several fluids */
+    float *rest;                     /* rest densities; only with PAIR_MIXED */
     int64_t *residual;               /* of each block; only with an implicit solver */
     struct {
         double product; /* of the residual with itself, preconditioned, J/m^3 */
@@ -36,6 +37,9 @@ struct backend {
 /* Sorts particles for rows of radius `radius` (m), and makes their coordinates by axis. */
 enum status cpu_sort(struct backend *b, struct particles *p, struct cells *cells,
                      uint32_t *const axis[3], double radius, struct error *e);
+
+/* Moves particles apart whose distance squared is below `near`, in smoothing lengths, by their rows. */
+void cpu_part(struct backend *b, float near);
 
 /* The passes over particles. */
 void cpu_predict(struct backend *b, struct step *step);

@@ -33,12 +33,14 @@ struct row_build {
     bool same;                /* candidates are the points: leave the particle itself out */
     float scale[3];           /* counts to smoothing lengths */
     float limit;              /* square of the list radius, in smoothing lengths */
+    float coincident;         /* and of the distance below which two share a place; 0: none does */
 };
 
 /* Rows of one block as they are being built: 16 lists of `room` entries each. */
 struct row_scratch {
     uint32_t *list;
     size_t room;
+    bool coincident; /* whether any neighbour so far is so near */
     uint32_t count[PARTICLE_BLOCK];
 };
 
@@ -97,8 +99,10 @@ struct pair_work {
     const struct position *position;
     const struct motion *motion;
     const float *viscosity;    /* per particle, or NULL */
+    const float *rest;         /* rest density per particle; only with PAIR_MIXED */
     const float *density;      /* present density, kg/m^3; NULL: at rest density */
     const float *rest_density; /* of each fluid, kg/m^3 */
+    const float *softness;     /* c0 / speed of sound of each fluid; NULL: all 1 */
     const float *inverse_density; /* 1 / rest density per particle; NULL: all fluids are alike */
     const uint8_t *fluid;      /* or NULL */
     const struct shift *shift; /* of the last step; NULL: no shifting */

@@ -5,6 +5,7 @@
 #include "backend/cpu/rows_x86.h"
 
 #include <immintrin.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 enum { LANES = 8 };
@@ -68,9 +69,11 @@ static inline __attribute__((always_inline)) real lookup_load(const float *value
 }
 
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
-                                    const uint32_t point[3], const float scale[3], float limit,
-                                    uint32_t first, uint32_t last, uint32_t self)
+                                    const uint32_t point[3], const float scale[3],
+                                    const float limit[2], uint32_t first, uint32_t last,
+                                    uint32_t self, bool *coincident)
 {
+    unsigned shared = 0;
     for (uint32_t j = first; j < last; j += LANES) {
         __m256 q2 = _mm256_setzero_ps();
         for (int a = 0; a < 3; a++) {
@@ -80,14 +83,17 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
             q2 = a ? _mm256_fmadd_ps(x, x, q2) : _mm256_mul_ps(x, x);
         }
         unsigned near = (unsigned)_mm256_movemask_ps(
-            _mm256_cmp_ps(q2, _mm256_set1_ps(limit), _CMP_LT_OQ));
+            _mm256_cmp_ps(q2, _mm256_set1_ps(limit[0]), _CMP_LT_OQ));
         if (last - j < LANES)
             near &= (1u << (last - j)) - 1;
         if (self - j < LANES)
             near &= ~(1u << (self - j));
+        shared |= near & (unsigned)_mm256_movemask_ps(
+                             _mm256_cmp_ps(q2, _mm256_set1_ps(limit[1]), _CMP_LT_OQ));
         for (; near; near &= near - 1)
             *out++ = 2 * (j + (uint32_t)__builtin_ctz(near));
     }
+    *coincident |= shared != 0;
     return out;
 }
 

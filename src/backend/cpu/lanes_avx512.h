@@ -5,6 +5,7 @@
 #include "backend/cpu/rows_x86.h"
 
 #include <immintrin.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 enum { LANES = 16 };
@@ -84,8 +85,9 @@ static inline __attribute__((always_inline)) real lookup_load(const float *value
 }
 
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
-                                    const uint32_t point[3], const float scale[3], float limit,
-                                    uint32_t first, uint32_t last, uint32_t self)
+                                    const uint32_t point[3], const float scale[3],
+                                    const float limit[2], uint32_t first, uint32_t last,
+                                    uint32_t self, bool *coincident)
 {
     __m512i step =
         _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -93,7 +95,9 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
     __m512i pz = _mm512_set1_epi32((int)point[2]), end = _mm512_set1_epi32((int)last);
     __m512i own = _mm512_set1_epi32((int)self);
     __m512 sx = _mm512_set1_ps(scale[0]), sy = _mm512_set1_ps(scale[1]);
-    __m512 sz = _mm512_set1_ps(scale[2]), most = _mm512_set1_ps(limit);
+    __m512 sz = _mm512_set1_ps(scale[2]), most = _mm512_set1_ps(limit[0]);
+    __m512 least = _mm512_set1_ps(limit[1]);
+    __mmask16 shared = 0;
     for (uint32_t j = first; j < last; j += LANES) {
         __m512i index = _mm512_add_epi32(_mm512_set1_epi32((int)j), step);
         __m512 x = _mm512_mul_ps(
@@ -106,9 +110,11 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
         __mmask16 near = _mm512_cmp_ps_mask(q2, most, _CMP_LT_OQ);
         near = _mm512_mask_cmplt_epu32_mask(near, index, end);
         near = _mm512_mask_cmpneq_epi32_mask(near, index, own);
+        shared |= _mm512_mask_cmp_ps_mask(near, q2, least, _CMP_LT_OQ);
         _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(near, _mm512_add_epi32(index, index)));
         out += __builtin_popcount(near);
     }
+    *coincident |= shared != 0;
     return out;
 }
 

@@ -3,6 +3,7 @@
 #define BACKEND_CPU_LANES_SCALAR_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -62,18 +63,22 @@ static inline __attribute__((always_inline)) real lookup_load(const float *value
     return values[*index / 2];
 }
 
-/* Appends to `out` the row entries of the candidates first..last-1 within sqrt(limit) of `point`, leaving out `self`;
- * coordinates are by axis; returns the new length. */
+/* Appends to `out` the row entries of the candidates first..last-1 within sqrt(limit[0]) of `point`,
+ * leaving out `self`; coordinates are by axis; returns the new length. Sets *coincident when one is
+ * within sqrt(limit[1]). */
 static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out, const uint32_t *const axis[3],
-                                    const uint32_t point[3], const float scale[3], float limit,
-                                    uint32_t first, uint32_t last, uint32_t self)
+                                    const uint32_t point[3], const float scale[3],
+                                    const float limit[2], uint32_t first, uint32_t last,
+                                    uint32_t self, bool *coincident)
 {
     for (uint32_t j = first; j < last; j++) {
         float x = (float)(int32_t)(point[0] - axis[0][j]) * scale[0];
         float y = (float)(int32_t)(point[1] - axis[1][j]) * scale[1];
         float z = (float)(int32_t)(point[2] - axis[2][j]) * scale[2];
+        float q2 = fmaf(z, z, fmaf(y, y, x * x));
         *out = 2 * j;
-        out += fmaf(z, z, fmaf(y, y, x * x)) < limit && j != self;
+        out += q2 < limit[0] && j != self;
+        *coincident |= q2 < limit[1] && j != self;
     }
     return out;
 }

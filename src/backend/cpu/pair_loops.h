@@ -136,6 +136,7 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     }
     real rho0 = real_load(rest), zero = real_set(0);
     p.state.inverse_volume = real_load(inverse);
+    p.state.rest = rho0;
     p.constants = (struct pair_lane_constants){
         real_set(w->constants.viscosity), real_set(w->constants.inverse_h),
         real_set(w->constants.artificial), rho0 * real_set(head[0]),
@@ -162,6 +163,7 @@ FORCE_INLINE struct lane_neighbour neighbour_load(const struct pair_work *w,
                                   .vz = motion[2], .pressure = motion[3]};
     n.state.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
                                                    : real_set(0);
+    n.state.rest = flags & PAIR_MIXED ? lookup_load(w->rest, index) : real_set(0);
     return n;
 }
 
@@ -183,11 +185,13 @@ static inline void rate_store(const struct pair_work *w, size_t i, const struct 
     real_store(sum[4], s->diffusion);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
         struct rate *rate = &w->rate[i + l];
-        float rest = w->rest_density[w->fluid ? w->fluid[i + l] : 0];
+        int fluid = w->fluid ? w->fluid[i + l] : 0;
+        float rest = w->rest_density[fluid];
+        float diffusion = w->softness ? c->diffusion * w->softness[fluid] : c->diffusion;
         float density = w->density ? w->density[i + l] : rest, front = c->gradient / density;
         for (int a = 0; a < 3; a++)
             rate->acceleration[a] = c->gravity[a] + front * settled(sum[a][l]);
-        rate->density = c->gradient * (density * settled(sum[3][l]) + c->diffusion * settled(sum[4][l]));
+        rate->density = c->gradient * (density * settled(sum[3][l]) + diffusion * settled(sum[4][l]));
     }
 }
 
@@ -321,6 +325,8 @@ static size_t loops_build(const struct row_build *b, size_t block, struct row_sc
 {
     struct candidates near = {.cell = UINT32_MAX};
     struct row_build work = *b; /* a copy that no store can alias */
+    const float limit[2] = {b->limit, b->coincident};
+    bool coincident = false;
     for (size_t l = 0; l < PARTICLE_BLOCK; l++) {
         size_t i = block * PARTICLE_BLOCK + l;
         uint32_t *list = scratch->list + l * scratch->room, *end = list;
@@ -332,10 +338,12 @@ static size_t loops_build(const struct row_build *b, size_t block, struct row_sc
         if (near.sum + PARTICLE_BLOCK > scratch->room)
             return near.sum + PARTICLE_BLOCK;
         for (int r = 0; r < near.ranges; r++)
-            end = rows_append(end, work.axis, point, work.scale, work.limit, near.range[r].first,
-                              near.range[r].last, work.same ? (uint32_t)i : UINT32_MAX);
+            end = rows_append(end, work.axis, point, work.scale, limit, near.range[r].first,
+                              near.range[r].last, work.same ? (uint32_t)i : UINT32_MAX,
+                              &coincident);
         scratch->count[l] = (uint32_t)(end - list);
     }
+    scratch->coincident |= coincident;
     return 0;
 }
 

@@ -107,6 +107,7 @@ enum status rows_build(struct rows *rows, const struct row_build *work, const st
         arena->current = 0;
         arena->used = 0;
         arena->entries = 0;
+        arena->scratch.coincident = false;
         arena->error.status = STATUS_OK;
     }
 #pragma omp parallel for schedule(dynamic, 16) num_threads(rows->arena_count)
@@ -116,8 +117,10 @@ enum status rows_build(struct rows *rows, const struct row_build *work, const st
             build_block(rows, arena, work, isa, pad_self, b);
     }
     rows->entries = 0;
+    rows->coincident = false;
     for (int t = 0; t < rows->arena_count; t++) {
         rows->entries += rows->arena[t].entries;
+        rows->coincident |= rows->arena[t].scratch.coincident;
         if (rows->arena[t].error.status) {
             *e = rows->arena[t].error;
             return e->status;

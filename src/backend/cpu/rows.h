@@ -14,6 +14,7 @@ struct rows {
     int arena_count;
     double entries;          /* sum of count */
     bool weighted;           /* room for a weight beside each entry */
+    bool coincident;         /* whether two particles share a place */
 };
 
 enum status rows_create(struct rows *rows, size_t points, int threads, bool weighted,
