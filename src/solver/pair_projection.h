@@ -58,13 +58,18 @@ struct pair_flows {
 static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s,
                               const real x[3], const real own[4], const real other[4], real f, real plain)
 {
-    real square = real_set(0);
-    for (int a = 0; a < 3; a++) {
-        real u = own[a] - other[a], fu = plain * u;
-        square = real_fma(u, u, square);
-        for (int b = 0; b < 3; b++)
-            s->tensor[3 * a + b] = real_fma(fu, x[b], s->tensor[3 * a + b]);
-    }
+    real u = own[0] - other[0], v = own[1] - other[1], w = own[2] - other[2];
+    real square = real_fma(w, w, real_fma(v, v, u * u));
+    real fx = plain * x[0], fy = plain * x[1], fz = plain * x[2];
+    s->tensor[0] = real_fma(fx, u, s->tensor[0]);
+    s->tensor[1] = real_fma(fy, u, s->tensor[1]);
+    s->tensor[2] = real_fma(fz, u, s->tensor[2]);
+    s->tensor[3] = real_fma(fx, v, s->tensor[3]);
+    s->tensor[4] = real_fma(fy, v, s->tensor[4]);
+    s->tensor[5] = real_fma(fz, v, s->tensor[5]);
+    s->tensor[6] = real_fma(fx, w, s->tensor[6]);
+    s->tensor[7] = real_fma(fy, w, s->tensor[7]);
+    s->tensor[8] = real_fma(fz, w, s->tensor[8]);
     s->around = real_fma(f, other[3], s->around);
     s->speed2 = pair_larger(plain * square, s->speed2);
 }
@@ -73,11 +78,17 @@ static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s
 static inline __attribute__((always_inline)) void pair_slopes(real sum[9], const real x[3],
                               const real own[4], const real other[4], real f)
 {
-    for (int k = 0; k < 3; k++) {
-        real rise = f * (own[k] - other[k]);
-        for (int a = 0; a < 3; a++)
-            sum[3 * k + a] = real_fma(rise, x[a], sum[3 * k + a]);
-    }
+    real fx = f * x[0], fy = f * x[1], fz = f * x[2];
+    real p = own[0] - other[0], q = own[1] - other[1], r = own[2] - other[2];
+    sum[0] = real_fma(fx, p, sum[0]);
+    sum[1] = real_fma(fy, p, sum[1]);
+    sum[2] = real_fma(fz, p, sum[2]);
+    sum[3] = real_fma(fx, q, sum[3]);
+    sum[4] = real_fma(fy, q, sum[4]);
+    sum[5] = real_fma(fz, q, sum[5]);
+    sum[6] = real_fma(fx, r, sum[6]);
+    sum[7] = real_fma(fy, r, sum[7]);
+    sum[8] = real_fma(fz, r, sum[8]);
 }
 
 #endif

@@ -227,6 +227,8 @@ static void flow_blocks(const struct pair_work *w, size_t first, size_t last)
         flow_rows(w, first, last, false);
 }
 
+enum { PREFETCH = 1024 }; /* entries ahead, 4 kB: rows do not fit the cache */
+
 /* The matrix times `direction`. */
 static void product_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
 {
@@ -239,6 +241,10 @@ static void product_blocks(const struct pair_work *w, size_t first_block, size_t
         for (; k + 1 < row.length; k += 2) {
             const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
             const float *weight = row.weight + (size_t)k * PARTICLE_BLOCK;
+            for (int line = 0; line < 2; line++) { /* beyond the end: the next block's */
+                __builtin_prefetch(index + PREFETCH + line * PARTICLE_BLOCK);
+                __builtin_prefetch(weight + PREFETCH + line * PARTICLE_BLOCK);
+            }
             even = real_fma(real_load(weight), lookup_load(t->direction, index), even);
             odd = real_fma(real_load(weight + PARTICLE_BLOCK),
                            lookup_load(t->direction, index + PARTICLE_BLOCK), odd);
