@@ -48,10 +48,10 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     p->laplacian = (float)(-2 * (double)choice->pair.gradient / h);
     p->loose = 0.56f * first; /* first: of a layer of the lattice at a flat surface */
     p->torn = 1.4f * first;
-    p->gain = 0.3f;
+    p->gain = 0.6f;
     p->slack = 0.005f;
     p->most = 0.1f;
-    p->fickian = (float)(4 * h);
+    p->fickian = (float)(8 * h);
     p->fringe = 0.3f;
     p->closeness = (float)(1 / choice->kernel->value(q));
     p->slope = (float)choice->kernel->slope(q);
@@ -72,6 +72,10 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){
         scene_real(scene, "solver.density_error"), 0, most, 1, 0};
     viscosity_choose(scene, choice);
+    if (!choice->enclosed && choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)) {
+        choice->flags |= PAIR_CENTRAL; /* stiffer by 5/3 for compression, which pressure undoes */
+        choice->limits.viscous *= 0.6;
+    }
 }
 
 const struct solver_row solver_isph = {

@@ -19,6 +19,7 @@ struct pair {
 struct pair_state {
     real volume, vx, vy, vz, pressure, viscosity;
     real rest;           /* rest density; only with PAIR_MIXED */
+    real fringe;         /* 1 near a surface; only with PAIR_CENTRAL */
     real own, wall;      /* only of i: its pressure as the sum p_i + p_j has it, and a wall's */
     real inverse_volume; /* only of i, only with PAIR_SYMMETRIC */
 };
@@ -84,11 +85,19 @@ static inline __attribute__((always_inline)) real pair_alike(const struct pair_s
     return real_positive(real_fma(apart, real_set(-1e12f), real_set(1)));
 }
 
+/* The larger of two that are 0 to 1. */
+static inline __attribute__((always_inline)) real pair_either(real a, real b)
+{
+    return b + real_positive(a - b);
+}
+
 /* Momentum and continuity of weakly compressible SPH:
  *   dv_i/dt   = -1/rho_i sum V_j (p_i + p_j) grad W                     (Colagrossi & Landrini 2003;
  *               deep in shifting fluid (p_j - p_i), solver/shift.h)
  *            or -1/m_i sum (V_i^2 p_i + V_j^2 p_j) grad W               (Hu & Adams 2006)
  *             + 1/rho_i sum V_j (mu_i + mu_j) W'/r v_ij                 (Morris et al. 1997)
+ *            or 5 times that of v_ij along x_ij, which leaves a surface free of stress and keeps
+ *               angular momentum                            (Monaghan & Gingold 1983; PAIR_CENTRAL)
  *   drho_i/dt = rho_i sum V_j v_ij . grad W
  *             + 2 delta h/c0 sum V_j (p_i - p_j - rho_i g.x_ij) W'/r    (Fourtakas et al. 2019, in
  *               terms of pressure, which is continuous where two fluids meet)
@@ -123,6 +132,14 @@ static inline __attribute__((always_inline)) void pair_force(struct pair_sums *s
         real drag = mu * weight;
         if (flags & PAIR_MULLER)
             drag = mu * ((real_set(0) - j->volume) * viscosity_laplacian(p->q));
+        if (flags & PAIR_CENTRAL) {
+            real central = pair_either(i->fringe, j->fringe);
+            real along = real_set(5) * central * drag * (dot * p->inverse * p->inverse);
+            s->ax = real_fma(along, p->x, s->ax);
+            s->ay = real_fma(along, p->y, s->ay);
+            s->az = real_fma(along, p->z, s->az);
+            drag = drag - central * drag;
+        }
         s->ax = real_fma(drag, vx, s->ax);
         s->ay = real_fma(drag, vy, s->ay);
         s->az = real_fma(drag, vz, s->az);

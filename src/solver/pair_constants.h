@@ -13,7 +13,8 @@ enum pair_flag {
     PAIR_SYMMETRIC = 128,    /* pressure form V_i^2 p_i + V_j^2 p_j */
     PAIR_DRAG_ONLY = 256,    /* no pressure: an implicit solver pushes */
     PAIR_MIXED = 512,        /* average form where rest densities differ; with own viscosities */
-    PAIR_FLAGS_END = 1024
+    PAIR_CENTRAL = 1024,     /* viscosity along the line of centres where a surface is near */
+    PAIR_FLAGS_END = 2048
 };
 
 /* Chosen once by the plan. */

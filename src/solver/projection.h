@@ -48,20 +48,21 @@ struct projection_constants {
     bool enclosed;    /* no surface */
 };
 
-/* What does not change during a step's solves: 28 words. */
+/* What does not change during a step's solves: 32 words. */
 struct stencil {
     float inverse[6];  /* B, inverse of -sum V_j x (x) grad W with what walls lack: xx yy zz xy xz yz */
     float toward[3];   /* G = sum V_j grad W, 1/m */
     float wall[3];     /* what walls add to it, 1/m */
     float missing[3];  /* what they lack in the first moment, along their normals */
     float along[3];    /* 1 / what other axes' walls leave open */
-    float crowd[3];    /* sum V_j (1 + 0.2 (W/W(d))^4) grad W with walls, 1/m */
+    float crowd[3];    /* sum V_j (1 + 0.2 (W/W(d))^4) grad W with walls, 1/m; then the shift, m */
+    float carried[3];  /* what the velocity changes by along the shift, m/s */
     float lack;        /* 1 - rho/rho0 */
     float spread;      /* sum F, 1/m^2 */
     float fringe;      /* 1 near a surface, 0 inside */
     float speed;       /* U: largest close speed difference to a neighbour, m/s */
-    float crowding;    /* sum F_ij f_j of the last step's shift, m^2 / m^2 */
-    float spare[2];
+    float crowding;    /* sum F_ij f_j of the last step's shift */
+    float spare[3];
 };
 
 /* One row of a linear system that conjugate gradients solve. */
@@ -316,15 +317,15 @@ static inline float projection_stir(uint32_t word)
 
 #define PROJECTION_STIR 0.2f
 
-/* Displacement of a step: down the gradient of `shift`, which evens out the density, and down the
- * gradient of concentration (Lind et al. 2012) in proportion to the speed differences around, so that
- * nothing shifts at rest; at a surface along it only. A lattice under strain is in balance by
- * symmetry and collapses late and violently unless it is stirred. */
-static inline void projection_shift(const struct explicit_constants *c,
-                                    const struct projection_constants *m, const struct stencil *s,
-                                    uint32_t id, float dt, const float gradient[3], float shift[3])
+/* Displacement of a step down the gradient of concentration (Lind et al. 2012), in proportion to the
+ * speed differences around, so that nothing shifts at rest; at a surface along it only. A lattice
+ * under strain is in balance by symmetry and collapses late and violently unless it is stirred. The
+ * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W. */
+static inline void projection_fickian(const struct projection_constants *m, uint32_t id, float dt,
+                                      const float tensor[9], struct stencil *s)
 {
     float most = s->speed * dt, part = 1, along = 0, size2 = 0, fick[3];
+    const float *b = s->inverse;
     if (s->fringe > 0 && !m->enclosed) {
         float lacks2 = 1e-12f, dot = 0;
         part = s->lack > 1.3f * m->torn ? 0 : m->fringe;
@@ -341,11 +342,25 @@ static inline void projection_shift(const struct explicit_constants *c,
         fick[a] = part * most * (stir - m->fickian * crowd);
         size2 += fick[a] * fick[a];
     }
-    float limit = size2 > most * most ? most / sqrtf(size2) : 1, largest = 0.1f * c->spacing;
+    float limit = size2 > most * most ? most / sqrtf(size2) : 1;
+    for (int a = 0; a < 3; a++)
+        s->crowd[a] = fick[a] *= limit;
+    float d[3] = {b[0] * fick[0] + b[3] * fick[1] + b[4] * fick[2],
+                  b[3] * fick[0] + b[1] * fick[1] + b[5] * fick[2],
+                  b[4] * fick[0] + b[5] * fick[1] + b[2] * fick[2]};
+    for (int a = 0; a < 3; a++)
+        s->carried[a] = s->fringe > 0 ? 0 : tensor[3 * a] * d[0] + tensor[3 * a + 1] * d[1] +
+                                                tensor[3 * a + 2] * d[2];
+}
+
+/* Adds the displacement down the gradient of the field that evens out the density. */
+static inline void projection_lift(const struct explicit_constants *c, const float gradient[3],
+                                   float shift[3])
+{
+    float most = 0.1f * c->spacing;
     for (int a = 0; a < 3; a++) {
         float lift = -gradient[a];
-        lift = lift > largest ? largest : lift < -largest ? -largest : lift;
-        shift[a] = lift + limit * fick[a];
+        shift[a] += lift > most ? most : lift < -most ? -most : lift;
     }
 }
 

@@ -99,6 +99,7 @@ struct pair_work {
     const struct position *position;
     const struct motion *motion;
     const float *viscosity;    /* per particle, or NULL */
+    const float *fringe;       /* 1 near a surface; only with PAIR_CENTRAL */
     const float *rest;         /* rest density per particle; only with PAIR_MIXED */
     const float *density;      /* present density, kg/m^3; NULL: at rest density */
     const float *rest_density; /* of each fluid, kg/m^3 */

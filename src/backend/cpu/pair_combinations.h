@@ -1,7 +1,8 @@
 /* The combinations of pair flags that solvers ask for: FORCE(flags) is expanded for each.
  * kernel (0, 1) + viscosity (0 none, 4 shared, 8 own) + 16 artificial + density (0 summation,
  * 32 continuity, 96 continuity with diffusion) + 128 symmetric pressure or 512 different rest
- * densities; 256 + viscosity alone is an implicit solver's; 2 + ... is Mueller 2003. */
+ * densities; 256 + viscosity alone is an implicit solver's, + 1024 along the line of centres near a
+ * surface; 2 + ... is Mueller 2003. */
 FORCE(0) FORCE(1) FORCE(2) FORCE(4) FORCE(5) FORCE(6) FORCE(8) FORCE(9) FORCE(10) FORCE(16)
 FORCE(17) FORCE(18) FORCE(20) FORCE(21) FORCE(22) FORCE(24) FORCE(25) FORCE(26) FORCE(32)
 FORCE(33) FORCE(36) FORCE(37) FORCE(40) FORCE(41) FORCE(48) FORCE(49) FORCE(52) FORCE(53)
@@ -15,3 +16,4 @@ FORCE(261) FORCE(264) FORCE(265) FORCE(512) FORCE(513) FORCE(514) FORCE(520) FOR
 FORCE(528) FORCE(529) FORCE(530) FORCE(536) FORCE(537) FORCE(538) FORCE(544) FORCE(545) FORCE(552)
 FORCE(553) FORCE(560) FORCE(561) FORCE(568) FORCE(569) FORCE(608) FORCE(609) FORCE(616) FORCE(617)
 FORCE(624) FORCE(625) FORCE(632) FORCE(633)
+FORCE(1284) FORCE(1285) FORCE(1288) FORCE(1289)

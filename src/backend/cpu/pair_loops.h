@@ -137,6 +137,7 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     real rho0 = real_load(rest), zero = real_set(0);
     p.state.inverse_volume = real_load(inverse);
     p.state.rest = rho0;
+    p.state.fringe = flags & PAIR_CENTRAL ? real_load(w->fringe + i) : zero;
     p.constants = (struct pair_lane_constants){
         real_set(w->constants.viscosity), real_set(w->constants.inverse_h),
         real_set(w->constants.artificial), rho0 * real_set(head[0]),
@@ -163,6 +164,7 @@ FORCE_INLINE struct lane_neighbour neighbour_load(const struct pair_work *w,
                                   .vz = motion[2], .pressure = motion[3]};
     n.state.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
                                                    : real_set(0);
+    n.state.fringe = flags & PAIR_CENTRAL ? lookup_load(w->fringe, index) : real_set(0);
     n.state.rest = flags & PAIR_MIXED ? lookup_load(w->rest, index) : real_set(0);
     return n;
 }

@@ -160,9 +160,11 @@ static void surface_blocks(const struct pair_work *w, size_t first_block, size_t
         }
         real_store(out, most);
         real_store(shift, sum);
-        for (size_t l = 0; l < LANES && i + l < w->count; l++)
+        for (size_t l = 0; l < LANES && i + l < w->count; l++) {
             projection_surface(t->each, t->constants, solve_fluid(w, i + l), out[l], settled(shift[l]),
                                &t->stencil[i + l], &t->unknown[i + l]);
+            t->product[i + l] = t->stencil[i + l].fringe;
+        }
     }
 }
 
@@ -179,6 +181,7 @@ static inline void flow_store(const struct pair_work *w, size_t k, const float s
     float divergence = projection_divergence(s, tensor, w->motion[k].velocity);
     float close = settled(sum[10]) / (c->laplacian * c->volume[0] * c->slope);
     s->speed = sqrtf(close > 0 ? close : 0);
+    projection_fickian(c, t->id[k], t->dt, tensor, s);
     projection_row(c, s, t->before, divergence, w->motion[k].pressure, settled(sum[9]), row);
 }
 
@@ -280,11 +283,11 @@ static inline void slopes_store(const struct pair_work *w, size_t k, const float
         beyond[a] = rest * rate->acceleration[a];
     projection_gradient(s, lighter, t->trial[k].mean, d + 3, beyond, gradient[1]);
     projection_gradient(s, lighter, t->trial[k].shift, d + 6, none, gradient[2]);
-    projection_shift(t->each, t->constants, s, t->id[k], t->dt, gradient[2], s->crowd);
+    projection_lift(t->each, gradient[2], s->crowd);
     for (int a = 0; a < 3; a++) {
         rate->acceleration[a] -= gradient[1][a] / rest;
-        v->velocity[a] += 0.5f * (t->dt * rate->acceleration[a] -
-                                  t->before / rest * gradient[0][a]);
+        v->velocity[a] += s->carried[a] + 0.5f * (t->dt * rate->acceleration[a] -
+                                                  t->before / rest * gradient[0][a]);
     }
     rate->density = t->trial[k].shift;
     v->pressure = t->trial[k].mean;
