@@ -17,7 +17,7 @@ static double fluid_bytes(const struct plan *plan)
 {
     const struct solver_choice *c = &plan->choice;
     double bytes = (double)plan->bytes_per_particle + START_BYTES + WORK_BYTES +
-                   4.0 * kernel_lattice_neighbours(c->support / c->spacing);
+                   solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
     return bytes + (plan->draws ? FILM_SNAPSHOTS * SNAPSHOT_BYTES : 0);
 }
 

@@ -37,11 +37,12 @@ static void write_viscosity(const struct solver_choice *c, FILE *out)
 static void write_solves(const struct solver_choice *c, FILE *out)
 {
     fprintf(out, "pressure       solved for; velocity to a mean compression of %g a step, shift to %g, at "
-                 "most %d sweeps\n",
+                 "most %d %s\n",
             c->solves[SOLVE_VELOCITY].tolerance, c->solves[SOLVE_SHIFT].tolerance,
-            c->solves[SOLVE_SHIFT].most);
-    fprintf(out, "relaxation     %.3f (%.2g of the Jacobi window of this kernel and support)\n",
-            c->implicit.omega, DFSPH_WINDOW_PART);
+            c->solves[SOLVE_SHIFT].most, c->projects ? "iterations" : "sweeps");
+    if (!c->projects)
+        fprintf(out, "relaxation     %.3f (%.2g of the Jacobi window of this kernel and support)\n",
+                c->implicit.omega, DFSPH_WINDOW_PART);
     if (c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         write_viscosity(c, out);
     fprintf(out, "time step      %.3g d / fastest", c->cfl * 0.4);
@@ -80,6 +81,8 @@ static void write_terms(const struct solver_choice *c, FILE *out)
                                                                               : "average");
     if (c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         fprintf(out, ", viscosity%s", c->flags & PAIR_OWN_VISCOSITY ? " per fluid" : "");
+    if (c->flags & PAIR_CENTRAL)
+        fputs(" (free of stress at surfaces)", out);
     if (c->flags & PAIR_ARTIFICIAL)
         fputs(", artificial viscosity", out);
     if (c->flags & PAIR_CONTINUITY)
@@ -141,7 +144,8 @@ void plan_write(const struct plan *plan, FILE *out)
         if (plan->fields & FIELD_BIT(f))
             fprintf(out, " %s %zu", field_table[f].name,
                     field_bytes(&field_table[f]));
-    fprintf(out, "; and 4 bytes a neighbour\n\npasses of a step\n");
+    fprintf(out, "; and %d bytes a neighbour\n\npasses of a step\n",
+            solver_row_bytes(c));
     for (size_t k = 0; k < plan->pass_count; k++) {
         const struct pass_row *pass = plan->passes[k];
         fprintf(out, "  %zu %-11s %-6s %s; reads ", k + 1, pass->name, kinds[pass->kind],

@@ -109,7 +109,7 @@ const struct key scene_core_keys[] = {
     {"measure[].name", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
      "begins the names of its columns, each its own; empty: the quantity", MEASURE(name)},
 
-    {"solver.method", KEY_CHOICE, 0, "\"wcsph\"", ANY, "", "solvers",
+    {"solver.method", KEY_CHOICE, 0, "\"isph\"", ANY, "", "solvers",
      "pressure solver", IN(solver.method)},
     {"solver.kernel", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "kernels",
      "smoothing kernel; auto: the method's", IN(solver.kernel)},

@@ -7,8 +7,8 @@
 #include <string.h>
 
 static const struct variant *const rows[] = {
-    &solver_wcsph.variant,
     &solver_isph.variant,
+    &solver_wcsph.variant,
     &solver_dfsph.variant,
     &solver_muller.variant,
 };

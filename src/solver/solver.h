@@ -93,6 +93,12 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
                    const struct space *space, const double *fluid_volume,
                    const size_t *fluid_particles, struct solver_choice *choice);
 
+/* Bytes that a neighbour takes in a row: its index and, with a projection, its weight. */
+static inline int solver_row_bytes(const struct solver_choice *choice)
+{
+    return choice->projects ? 8 : 4;
+}
+
 /* Viscosity of implicit solvers: explicit, or solved for where that would bound the step. */
 void viscosity_choose(const struct scene *scene, struct solver_choice *choice);
 
