@@ -134,7 +134,7 @@ static inline void cloud_rows(const struct cloud *c, const struct isa_row *isa, 
         work.axis[a] = wall ? c->wall_axis[a] : c->axis[a];
         work.scale[a] = c->constants.scale[a];
     }
-    assert_int_equal(rows_create(rows, c->count, 1, &e), 0);
+    assert_int_equal(rows_create(rows, c->count, 1, false, &e), 0);
     assert_int_equal(rows_build(rows, &work, isa, !wall, &e), 0);
 }
 
