@@ -56,6 +56,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
     p->closeness = (float)(1 / choice->kernel->value(q));
     p->slope = (float)choice->kernel->slope(q);
     p->enclosed = choice->enclosed;
+    p->whole = (float)kernel_lattice_slope(choice->kernel, choice->support / d);
     p->reference = 0;
     for (size_t f = 0; f < scene->fluid_count; f++) {
         float rest = choice->each.rest_density[f];
@@ -67,6 +68,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
         p->volume[f] = choice->implicit.volume[f] =
             choice->each.mass[f] / choice->each.rest_density[f];
     }
+    p->whole *= p->laplacian * p->volume[0];
     choice->solves[SOLVE_VELOCITY] = (struct solve_limits){
         scene_real(scene, "solver.divergence_error"), 0, most, 1, 0};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){

@@ -42,6 +42,19 @@ double kernel_lattice_moment(const struct kernel_row *kernel, double support)
     return sum * kernel->sigma / (h * h * h * h * h);
 }
 
+double kernel_lattice_slope(const struct kernel_row *kernel, double support)
+{
+    double h = support / 2, sum = 0;
+    int reach = (int)ceil(support);
+    for (int z = -reach; z <= reach; z++)
+        for (int y = -reach; y <= reach; y++)
+            for (int x = -reach; x <= reach; x++) {
+                double q = sqrt(x * x + y * y + z * z) / h;
+                sum += q > 0 && q < 2 ? kernel->slope(q) : 0;
+            }
+    return sum;
+}
+
 /* At wave number k the operator sum V^2 (grad W . )^2 has the symbol |sum grad W sin(k.r)|^2; its
  * diagonal is sum |grad W|^2. */
 double kernel_jacobi_radius(const struct kernel_row *kernel, double support)

@@ -25,6 +25,9 @@ double kernel_lattice_sum(const struct kernel_row *kernel, double support);
  * should be, and a parabola M times its Laplacian, so gradients are divided by it. */
 double kernel_lattice_moment(const struct kernel_row *kernel, double support);
 
+/* Sum of w'(q)/q over the lattice without its origin. */
+double kernel_lattice_slope(const struct kernel_row *kernel, double support);
+
 /* Largest eigenvalue mu of D^-1 A of the pressure operator on the cubic lattice: Jacobi sweeps
  * contract for a relaxation below 2 / mu (shared by all implicit solvers). */
 double kernel_jacobi_radius(const struct kernel_row *kernel, double support);

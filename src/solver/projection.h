@@ -43,6 +43,7 @@ struct projection_constants {
     float most;       /* density error that one step takes back at most */
     float fickian;    /* 2 A h, m: shift per gradient of concentration, speed and time */
     float fringe;     /* part of it at a surface */
+    float whole;      /* sum F on the lattice, 1/m^2 */
     float closeness;  /* 1 / w(d) */
     float slope;      /* of the kernel at d, as in F; negative */
     bool enclosed;    /* no surface */
@@ -155,11 +156,11 @@ static inline bool projection_inverse(const float m[6], float inverse[6])
     return spanned;
 }
 
-/* From the sums; returns rho/rho0. */
+/* From the sums, and whether flow was `violent` before; returns rho/rho0. */
 static inline float projection_stencil(const struct explicit_constants *c,
                                        const struct projection_constants *m,
-                                       const struct position *x, const struct stencil_sums *sums,
-                                       struct stencil *s)
+                                       const struct position *x, float violent,
+                                       const struct stencil_sums *sums, struct stencil *s)
 {
     float share = projection_walls(c, x, s), moment[6];
     float ratio = c->number_density * sums->number + share;
@@ -171,9 +172,12 @@ static inline float projection_stencil(const struct explicit_constants *c,
         s->toward[a] = m->gradient * sums->toward[a];
         s->crowd[a] = m->gradient * sums->crowd[a] + s->wall[a];
     }
-    s->fringe = projection_inverse(moment, s->inverse) ? 0 : 1;
+    s->fringe = projection_inverse(moment, s->inverse) && !(violent > 0.3f) ? 0 : 1;
     s->lack = 1 - ratio;
     s->spread = sums->weight;
+    /* Dense by walls alone, as a drop in an edge of the tank, is torn: it must be able to fall off. */
+    if (sums->weight < 0.3f * m->whole * (1 - share) && s->lack < 1.01f * m->torn && !m->enclosed)
+        s->lack = 1.01f * m->torn;
     s->speed = 0;
     return ratio;
 }
@@ -227,12 +231,11 @@ static inline float projection_divergence(const struct stencil *s, const float t
 {
     const float *b = s->inverse;
     float sum = 0;
-    if (s->fringe > 0 || s->wall[0] != 0 || s->wall[1] != 0 || s->wall[2] != 0) {
-        for (int a = 0; a < 3; a++)
-            sum += s->along[a] * tensor[4 * a] - 2 * u[a] * s->wall[a];
-        return sum;
-    }
-    return b[0] * tensor[0] + b[1] * tensor[4] + b[2] * tensor[8] +
+    for (int a = 0; a < 3; a++)
+        sum -= 2 * u[a] * s->wall[a];
+    if (s->fringe > 0)
+        return sum + s->along[0] * tensor[0] + s->along[1] * tensor[4] + s->along[2] * tensor[8];
+    return sum + b[0] * tensor[0] + b[1] * tensor[4] + b[2] * tensor[8] +
            b[3] * (tensor[1] + tensor[3]) + b[4] * (tensor[2] + tensor[6]) +
            b[5] * (tensor[5] + tensor[7]);
 }
@@ -351,6 +354,24 @@ static inline void projection_fickian(const struct projection_constants *m, uint
     for (int a = 0; a < 3; a++)
         s->carried[a] = s->fringe > 0 ? 0 : tensor[3 * a] * d[0] + tensor[3 * a + 1] * d[1] +
                                                 tensor[3 * a + 2] * d[2];
+}
+
+/* The part of the acceleration by the last step's pressure Q that the next half kick believes: all of
+ * it in smooth flow, but an impact is over when it would be repeated. Where P or Q would move fluid by
+ * more than a twentieth of a spacing in a step, and for some steps after, flow is `violent`: it gets
+ * the gradients of a surface, which gain no energy. */
+static inline float projection_trust(const struct explicit_constants *c, float before, float dt,
+                                     const float p[3], const float q[3], float density,
+                                     float *violent)
+{
+    float most = 0.05f * c->spacing * density, p2 = 0, q2 = 0;
+    for (int a = 0; a < 3; a++) {
+        p2 += p[a] * p[a];
+        q2 += q[a] * q[a];
+    }
+    float last = before * before * sqrtf(p2), next = dt * dt * sqrtf(q2);
+    *violent = last > most || next > most ? 1 : 0.8f * *violent;
+    return next > most ? most / next : 1;
 }
 
 /* Adds the displacement down the gradient of the field that evens out the density. */

@@ -91,6 +91,7 @@ struct projection_work {
     struct trial *trial;
     struct motion *motion;
     float *density, *surface, *direction, *product;
+    const float *violent; /* surface, as the step before left it */
 };
 
 /* What a pair pass reads and writes; arrays are those of struct particles. */

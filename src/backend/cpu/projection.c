@@ -48,6 +48,7 @@ void cpu_projection(struct backend *b, const struct step *step, enum pair_pass p
         .motion = particles_motion(p),
         .density = particles_density(p),
         .surface = p->now[FIELD_SURFACE],
+        .violent = p->before[FIELD_SURFACE],
         .direction = p->now[FIELD_DIRECTION],
         .product = p->now[FIELD_PRODUCT],
     };

@@ -48,10 +48,10 @@ FORCE_INLINE void stencil_store(const struct pair_work *w, size_t i, const struc
         }
         for (int m = 0; m < 6; m++)
             sums.moment[m] = settled(out[8 + m][l]);
-        float ratio = projection_stencil(t->each, t->constants, &w->position[k], &sums,
-                                         &t->stencil[k]);
+        float ratio = projection_stencil(t->each, t->constants, &w->position[k],
+                                         t->violent[k], &sums, &t->stencil[k]);
         t->density[k] = t->each->rest_density[solve_fluid(w, k)] * ratio;
-        t->surface[k] = !t->constants->enclosed && 1 - ratio > t->constants->loose ? 1 : 0;
+        t->surface[k] = !t->constants->enclosed && t->stencil[k].lack > t->constants->loose ? 1 : 0;
     }
 }
 
@@ -284,8 +284,11 @@ static inline void slopes_store(const struct pair_work *w, size_t k, const float
     projection_gradient(s, lighter, t->trial[k].mean, d + 3, beyond, gradient[1]);
     projection_gradient(s, lighter, t->trial[k].shift, d + 6, none, gradient[2]);
     projection_lift(t->each, gradient[2], s->crowd);
+    float violent = t->violent[k], part;
+    part = projection_trust(t->each, t->before, t->dt, gradient[0], gradient[1], rest, &violent);
+    t->surface[k] = violent;
     for (int a = 0; a < 3; a++) {
-        rate->acceleration[a] -= gradient[1][a] / rest;
+        rate->acceleration[a] -= part * gradient[1][a] / rest;
         v->velocity[a] += s->carried[a] + 0.5f * (t->dt * rate->acceleration[a] -
                                                   t->before / rest * gradient[0][a]);
     }
