@@ -272,8 +272,10 @@ static inline void projection_gradient(const struct stencil *s, float lighter, f
     gradient[2] = b[4] * d[0] + b[5] * d[1] + b[2] * d[2];
 }
 
+#define PROJECTION_ROUNDING 4e-6f /* of a sum over neighbours that is near 1 */
+
 /* The density error that a shift takes back a part of. Where fluid is enclosed the mean cannot
- * change; at a surface only compression counts. */
+ * change; at a surface only compression counts. Rounding does not: a lattice at rest stays still. */
 static inline float projection_crowding(const struct projection_constants *m,
                                         const struct stencil *s, float mean)
 {
@@ -282,6 +284,8 @@ static inline float projection_crowding(const struct projection_constants *m,
         error = error > m->slack ? error - m->slack : 0;
     else
         error -= mean;
+    if (fabsf(error) < PROJECTION_ROUNDING)
+        return 0;
     error = error > m->most ? m->most : error < -m->most ? -m->most : error;
     return m->gain * error;
 }
