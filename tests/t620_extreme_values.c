@@ -115,7 +115,7 @@ static void capillary(void **state)
                    "\"particles\": {\"spacing\": 5e-4}, \"fluids\": [{\"density\": 1000, "
                    "\"viscosity\": 1e-3, \"surface_tension\": 0.07}], \"bodies\": [{\"shape\": "
                    "\"box\", \"min\": [1e-3, 1e-3, 1e-3], \"max\": [3e-3, 3e-3, 2e-3]}], "
-                   "\"solver\": {\"sound_speed\": 0.45}, \"time\": {\"end\": 1%s}}",
+                   "\"solver\": {\"method\": \"wcsph\", \"sound_speed\": 0.45}, \"time\": {\"end\": 1%s}}",
                    asked ? ", \"step\": 0.01" : "");
         double h = w.plan.choice.smoothing_length;
         double right = 0.25 * sqrt(1000 * h * h * h / (2 * 3.14159265358979 * 0.07));
