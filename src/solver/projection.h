@@ -324,7 +324,8 @@ static inline float projection_stir(uint32_t word)
 /* Displacement of a step down the gradient of concentration (Lind et al. 2012), in proportion to the
  * speed differences around, so that nothing shifts at rest; at a surface along it only. A lattice
  * under strain is in balance by symmetry and collapses late and violently unless it is stirred. The
- * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W. */
+ * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W; but not where fluids
+ * differ in density: they slip past each other, and the momentum taken over would not be theirs. */
 static inline void projection_fickian(const struct projection_constants *m, uint32_t id, float dt,
                                       const float tensor[9], struct stencil *s)
 {
@@ -353,8 +354,9 @@ static inline void projection_fickian(const struct projection_constants *m, uint
                   b[3] * fick[0] + b[1] * fick[1] + b[5] * fick[2],
                   b[4] * fick[0] + b[5] * fick[1] + b[2] * fick[2]};
     for (int a = 0; a < 3; a++)
-        s->carried[a] = s->fringe > 0 ? 0 : tensor[3 * a] * d[0] + tensor[3 * a + 1] * d[1] +
-                                                tensor[3 * a + 2] * d[2];
+        s->carried[a] = s->fringe > 0 || m->mixed ? 0 : tensor[3 * a] * d[0] +
+                                                            tensor[3 * a + 1] * d[1] +
+                                                            tensor[3 * a + 2] * d[2];
 }
 
 /* Adds the displacement down the gradient of the field that evens out the density. */
