@@ -24,7 +24,7 @@ static const struct key drag_keys[] = {
     OPTION("drag.wind", KEY_VEC3, 0, "[0, 0, 1]", 0, 0, NULL),
     OPTION("drag.steps", KEY_INT, 0, "4", 1, 9, NULL),
 };
-static const struct variant alpha = {"wcsph", "first", alpha_keys, 3, NULL};
+static const struct variant alpha = {"isph", "first", alpha_keys, 3, NULL};
 static const struct variant beta = {"muller", "second", beta_keys, 2, NULL};
 static const struct variant gamma_row = {"quantum", "third", NULL, 0, "make QUANTUM=1"};
 static const struct variant drag = {"drag", "a force", drag_keys, 3, NULL};

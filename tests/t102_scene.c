@@ -50,10 +50,10 @@ static const struct { const char *text, *place, *says; } refused[] = {
     {WITH("\"camera\": {\"up\": [0, 0, 0]}"), ":3:19:", "no direction"},
     {WITH("\"camera\": {\"eye\": [0.5, 0.5, 0.5]}"), ":3:20:", "is its target"},
     {WITH("\"camera\": {\"eye\": [0.5, 9, 0.5]}"), ":3:12:", "along the view"},
-    {WITH("\"solver\": {\"method\": \"wscph\"}"), ":3:23:", "did you mean \"wcsph\"?"},
-    {WITH("\"solver\": {\"method\": \"auto\"}"), ":3:23:", "known: wcsph, muller, quantum"},
+    {WITH("\"solver\": {\"method\": \"ipsh\"}"), ":3:23:", "did you mean \"isph\"?"},
+    {WITH("\"solver\": {\"method\": \"auto\"}"), ":3:23:", "known: isph, muller, quantum"},
     {WITH("\"solver\": {\"method\": \"quantum\"}"), ":3:23:", "not in this build: make QUANTUM=1"},
-    {WITH("\"solver\": {\"clamp\": true}"), ":3:22:", "\"muller\", and it is \"wcsph\""},
+    {WITH("\"solver\": {\"clamp\": true}"), ":3:22:", "\"muller\", and it is \"isph\""},
     {WITH("\"solver\": {\"eos\": \"tate\"}"), ":3:20:", "did you mean \"tait\"?"},
     {WITH("\"solver\": {\"delta\": 2}"), ":3:22:", "from 0 to 1"},
     {WITH("\"time\": {\"step\": \"fast\"}, \"title\": \"\""), "", "said twice"},
@@ -125,7 +125,7 @@ static void fills_defaults(void **state)
 {
     (void)state;
     struct scene *s = load_set(BODIES(SPHERE), NULL, 0);
-    assert_string_equal(s->solver.method, "wcsph");
+    assert_string_equal(s->solver.method, "isph");
     assert_string_equal(s->neighbours, "auto");
     assert_true(s->gravity[1] == -9.81);
     assert_true(isnan(s->time.step) && isnan(s->camera.eye[0]) && isnan(s->color.range[1]));
@@ -267,7 +267,7 @@ static void schema_knows_options(void **state)
     fclose(out);
     assert_non_null(strstr(text, "\"anyOf\": [{\"const\": \"auto\"}, {\"type\": \"number\", "
                                  "\"minimum\": 0}, {\"type\": \"number\", \"minimum\": 0}]"));
-    assert_non_null(strstr(text, "\"enum\": [\"wcsph\", \"muller\", \"quantum\"]"));
+    assert_non_null(strstr(text, "\"enum\": [\"isph\", \"muller\", \"quantum\"]"));
     assert_non_null(strstr(text, "an option (for drag)"));
     free(text);
 }

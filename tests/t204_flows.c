@@ -163,7 +163,7 @@ static void fastest(void **state)
     "\"domain\": {\"min\": [0, 0, 0], \"max\": [1, 1, 0.4], \"walls\": \"periodic\"},\n" \
     "\"fluids\": [{\"viscosity\": 10}],\n" \
     "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [1, 1, 0.4],\n" \
-    "  \"flow\": \"taylor-green\"%s}], \"solver\": {\"clamp_negative\": %s}}"
+    "  \"flow\": \"taylor-green\"%s}], \"solver\": {\"method\": \"wcsph\", \"clamp_negative\": %s}}"
 
 /* Particles of a scene start with the flow's velocity and pressure, and hence a density. */
 static void starts_a_scene(void **state)

@@ -126,7 +126,8 @@ static void layers_add_up(void **state)
 static void reaches_the_state(void **state)
 {
     (void)state;
-    static const char *const solvers[] = {"\"eos\": \"tait\"", "\"eos\": \"linear\""};
+    static const char *const solvers[] = {"\"method\": \"wcsph\", \"eos\": \"tait\"",
+                                         "\"method\": \"wcsph\", \"eos\": \"linear\""};
     for (size_t s = 0; s < 2; s++) {
         struct world w;
         world_open(&w, SCENE(CLOSED, "\"solver\": {%s},", POOL ", " BOX("oil", 0, 0.4, 1, 0.6, "")),
@@ -174,7 +175,7 @@ static void refuses(void **state)
     assert_int_equal(scene_from_text(&scene, text, strlen(text), NULL, &run_vocabulary, &e),
                      STATUS_USAGE);
     assert_non_null(strstr(e.text, "bodies.0.start is hydrostatic, but gravity acts along y"));
-    text = SCENE(CLOSED, "\"solver\": {\"sound_speed\": 0.1},", POOL);
+    text = SCENE(CLOSED, "\"solver\": {\"method\": \"wcsph\", \"sound_speed\": 0.1},", POOL);
     w.scene = load(text, NULL);
     e = (struct error){0};
     w.options = (struct run_options){.at = NAN, .threads = 1};

@@ -100,9 +100,9 @@ static void collides(const char *solver)
 static void keeps_momentum(void **state)
 {
     (void)state;
-    collides("\"pressure_form\": \"symmetric\"");
-    collides("\"density\": \"summation\", \"pressure_form\": \"symmetric\"");
-    collides("\"kernel\": \"cubic-spline\"");
+    collides("\"method\": \"wcsph\", \"pressure_form\": \"symmetric\"");
+    collides("\"method\": \"wcsph\", \"density\": \"summation\", \"pressure_form\": \"symmetric\"");
+    collides("\"method\": \"wcsph\", \"kernel\": \"cubic-spline\"");
     collides("\"method\": \"muller\"");
 }
 
@@ -130,10 +130,10 @@ static void rests(const char *solver, double most)
 static void lattice_stays_still(void **state)
 {
     (void)state;
-    rests("\"sound_speed\": 10", 0);
-    rests("\"sound_speed\": 10, \"kernel\": \"cubic-spline\"", 0);
-    rests("\"sound_speed\": 10, \"density\": \"summation\"", 1e-5);
-    rests("\"sound_speed\": 10, \"density\": \"summation\", \"clamp_negative\": false", 1e-5);
+    rests("\"method\": \"wcsph\", \"sound_speed\": 10", 0);
+    rests("\"method\": \"wcsph\", \"sound_speed\": 10, \"kernel\": \"cubic-spline\"", 0);
+    rests("\"method\": \"wcsph\", \"sound_speed\": 10, \"density\": \"summation\"", 1e-5);
+    rests("\"method\": \"wcsph\", \"sound_speed\": 10, \"density\": \"summation\", \"clamp_negative\": false", 1e-5);
     rests("\"method\": \"muller\", \"stiffness\": 100", 1e-5);
 }
 
@@ -191,7 +191,7 @@ static void nothing_leaves(void **state)
     contains("\"closed\"", "\"method\": \"muller\"");
     contains("\"particles\"", "\"kernel\": \"cubic-spline\"");
     contains("{\"-x\": \"periodic\", \"+x\": \"periodic\", \"-y\": \"particles\"}",
-             "\"density\": \"summation\"");
+             "\"method\": \"wcsph\", \"density\": \"summation\"");
 }
 
 /* A step across a face ends at that face, or as far inside as it was beyond, whichever of the six. */
@@ -235,7 +235,7 @@ static void summed_energy_stays(void **state)
                "\"domain\": {\"min\": [0, 0, 0], \"max\": [0.6, 0.5, 0.5], "
                "\"walls\": \"periodic\"},\n"
                "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.6, 0.5, 0.5], "
-               "\"jitter\": 0.2}], \"solver\": {\"density\": \"summation\", \"eos\": \"linear\", "
+               "\"jitter\": 0.2}], \"solver\": {\"method\": \"wcsph\", \"density\": \"summation\", \"eos\": \"linear\", "
                "\"sound_speed\": 20, \"pressure_form\": \"symmetric\", "
                "\"artificial_viscosity\": 0}}");
     for (int k = 0; k <= 10; k++) {

@@ -58,7 +58,7 @@ static void check(const char *walls, const char *solver, double slope_most, doub
     world_close(&w);
 }
 
-#define C0 "\"sound_speed\": 20"
+#define C0 "\"method\": \"wcsph\", \"sound_speed\": 20"
 
 static void continuity(void **state)
 {

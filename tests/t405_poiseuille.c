@@ -51,7 +51,7 @@ static double run(int across, int count, const char *solver)
         "{\"-x\": \"periodic\", \"+x\": \"periodic\", \"-z\": \"periodic\", \"+z\": \"periodic\"}},\n"
         "\"fluids\": [{\"density\": %g, \"viscosity\": %g}],\n"
         "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [%.17g, 1, %.17g]}],\n"
-        "\"solver\": {\"artificial_viscosity\": 0, \"clamp_negative\": false, %s}}",
+        "\"solver\": {\"method\": \"wcsph\", \"artificial_viscosity\": 0, \"clamp_negative\": false, %s}}",
         driving(), d, length, length, density, density * nu, length, length, solver);
     for (int k = 0; k < count; k++) {
         double t = times[k] * width * width / nu;

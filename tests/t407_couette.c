@@ -30,7 +30,7 @@ static double run(int across, const char *wall, double low_speed)
         "\"fluids\": [{\"viscosity\": 100}],\n"
         "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [%.17g, 1, %.17g],\n"
         "\"velocity\": [%.17g, 0, 0]}],\n"
-        "\"solver\": {\"artificial_viscosity\": 0, \"clamp_negative\": false, \"sound_speed\": 15}}",
+        "\"solver\": {\"method\": \"wcsph\", \"artificial_viscosity\": 0, \"clamp_negative\": false, \"sound_speed\": 15}}",
         d, length, length, wall, length, length, low_speed);
     for (int k = 0; k < 5; k++) {
         double t = times[k] * width * width / nu, sum = 0, all = 0;

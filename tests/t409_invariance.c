@@ -60,8 +60,8 @@ static void moves_alike(const char *solver)
 static void uniform_velocity_changes_nothing(void **state)
 {
     (void)state;
-    moves_alike("\"sound_speed\": 40");
-    moves_alike("\"sound_speed\": 40, \"density\": \"summation\"");
+    moves_alike("\"method\": \"wcsph\", \"sound_speed\": 40");
+    moves_alike("\"method\": \"wcsph\", \"sound_speed\": 40, \"density\": \"summation\"");
     moves_alike("\"method\": \"muller\", \"stiffness\": 100");
 }
 
@@ -92,11 +92,11 @@ static void stops_on(const char *solver, float value, bool density)
 static void not_finite_ends_the_run(void **state)
 {
     (void)state;
-    stops_on("\"sound_speed\": 40", NAN, false);
-    stops_on("\"sound_speed\": 40", INFINITY, false);
+    stops_on("\"method\": \"wcsph\", \"sound_speed\": 40", NAN, false);
+    stops_on("\"method\": \"wcsph\", \"sound_speed\": 40", INFINITY, false);
     stops_on("\"method\": \"muller\", \"stiffness\": 100", NAN, false);
-    stops_on("\"sound_speed\": 40, \"density\": \"summation\"", NAN, false);
-    stops_on("\"sound_speed\": 40", NAN, true);
+    stops_on("\"method\": \"wcsph\", \"sound_speed\": 40, \"density\": \"summation\"", NAN, false);
+    stops_on("\"method\": \"wcsph\", \"sound_speed\": 40", NAN, true);
 }
 
 int main(void)

@@ -5,7 +5,7 @@ cat >"$work/scene.json" <<'X'
 { "gravity": [0, -9.81, 0], "domain": {"min": [0, 0, 0], "max": [0.5, 0.5, 0.5]},
   "particles": {"spacing": 0.05}, "fluids": [{"density": 1000, "viscosity": 0}],
   "bodies": [{"shape": "box", "min": [0, 0, 0], "max": [0.25, 0.25, 0.5]}],
-  "solver": {"artificial_viscosity": 0, "diffusion": 0},
+  "solver": {"method": "wcsph", "artificial_viscosity": 0, "diffusion": 0},
   "time": {"end": 0.02}, "movie": {"size": [64, 64], "fps": 100}, "color": {"by": "velocity"} }
 X
 plan() { # ARGUMENTS...

@@ -33,12 +33,12 @@ safe() {
 }
 safe "as it is"
 safe "random start" --set bodies.0.fill=random
-safe "random start, symmetric" --set bodies.0.fill=random --set solver.pressure_form=symmetric
-safe "random start, summed" --set bodies.0.fill=random --set solver.density=summation
+safe "random start, symmetric" --set bodies.0.fill=random --solver wcsph --set solver.pressure_form=symmetric
+safe "random start, summed" --set bodies.0.fill=random --solver wcsph --set solver.density=summation
 safe "random start, muller" --set bodies.0.fill=random --solver muller
 safe "large jitter" --set bodies.0.jitter=0.5
-safe "sound speed 1e-3" --set solver.sound_speed=1e-3
-safe "sound speed 1" --set solver.sound_speed=1
+safe "sound speed 1e-3" --solver wcsph --set solver.sound_speed=1e-3
+safe "sound speed 1" --solver wcsph --set solver.sound_speed=1
 safe "cfl 10" --set time.cfl=10
 safe "stiffness 1e-6" --solver muller --set solver.stiffness=1e-6
 safe "wall particles, random" --set domain.walls=particles --set bodies.0.fill=random

@@ -32,13 +32,13 @@ done
 report '(.frames | length) == 1 and .frames[0].time == 0.123456789' "--at is met exactly"
 report '.steps > 0 and .dt.min <= .dt.mean and .dt.mean <= .dt.max' "dt statistics"
 report '.pairs > 0 and .ns_per_particle_step > 0' "pairs, ns per particle and step"
-report '(.seconds | has("wall") and has("solve") and has("draw") and has("encode") and has("push")
-         and has("sort") and has("neighbours") and has("sweep") and has("move"))' "time by phase"
+report '(.seconds | has("wall") and has("solve") and has("draw") and has("encode") and has("stencil")
+         and has("sort") and has("neighbours") and has("product") and has("drift"))' "time by phase"
 report '.frames[0].state | test("^[0-9a-f]{16}$")' "state hash"
 report '(.machine.processor | length) > 0 and .machine.processors > 0' "machine"
 report '(.program | test("^sph-render [0-9]")) and (.compiler | length) > 0' "versions"
 report '.backend | test("^cpu \\(")' "back end"
-report '.scene.particles.spacing == 0.05 and .scene.solver.method == "dfsph"' "effective scene"
+report '.scene.particles.spacing == 0.05 and .scene.solver.method == "isph"' "effective scene"
 jq .scene "$work/report.json" >"$work/scene.json"
 "$SPH" "$work/scene.json" --check >"$work/out" 2>&1
 result $? "the scene of the report loads"

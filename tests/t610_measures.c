@@ -270,7 +270,7 @@ static void quantiles_are_ranks(void **state)
 
 static void exchange(void *array, size_t size, size_t a, size_t b)
 {
-    char spare[64], *items = array;
+    char spare[256], *items = array;
     memcpy(spare, items + a * size, size);
     memcpy(items + a * size, items + b * size, size);
     memcpy(items + b * size, spare, size);

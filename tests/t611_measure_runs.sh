@@ -184,7 +184,7 @@ kill -KILL $pid
 wait $pid 2>/dev/null
 awk -F, 'NR == 1 {n = NF} NF != n {bad = 1} END {exit bad || NR < 4}' "$csv.part"
 result $? "a killed run leaves whole rows in the .part file"
-run --set solver.sound_speed=0.5 -o "$csv"
+run --solver wcsph --set solver.sound_speed=0.5 -o "$csv"
 [ $? = 1 ] && [ "$(tail -n +2 "$csv" | wc -l)" -ge 1 ]
 result $? "a run that is stopped keeps its rows"
 if "$SPH" list contexts | grep -qE '^ *(egl|osmesa)'; then

@@ -32,7 +32,7 @@ cat >"$work/drop.json" <<'J'
 { "domain": {"min": [0, 0, 0], "max": [5e-3, 5e-3, 3e-3]}, "particles": {"spacing": 5e-4},
   "fluids": [{"density": 1000, "viscosity": 1e-3, "surface_tension": 0.07}],
   "bodies": [{"shape": "box", "min": [1e-3, 1e-3, 1e-3], "max": [3e-3, 3e-3, 2e-3]}],
-  "solver": {"sound_speed": 0.45}, "time": {"end": 0.001}, "movie": {"size": [64, 64], "fps": 1000} }
+  "solver": {"method": "wcsph", "sound_speed": 0.45}, "time": {"end": 0.001}, "movie": {"size": [64, 64], "fps": 1000} }
 J
 says 1 "strict: at t = 0 s the capillary limit .* asks for a step of 0.0001975 s" "capillary, strict" \
     "$work/drop.json" -o null --strict --set time.step=5e-4
