@@ -63,6 +63,7 @@ static void uniform_velocity_changes_nothing(void **state)
     moves_alike("\"method\": \"wcsph\", \"sound_speed\": 40");
     moves_alike("\"method\": \"wcsph\", \"sound_speed\": 40, \"density\": \"summation\"");
     moves_alike("\"method\": \"muller\", \"stiffness\": 100");
+    moves_alike("\"method\": \"isph\"");
 }
 
 /* Puts `value` in one particle's state; the next step must stop and leave no later time. */
@@ -95,6 +96,8 @@ static void not_finite_ends_the_run(void **state)
     stops_on("\"method\": \"wcsph\", \"sound_speed\": 40", NAN, false);
     stops_on("\"method\": \"wcsph\", \"sound_speed\": 40", INFINITY, false);
     stops_on("\"method\": \"muller\", \"stiffness\": 100", NAN, false);
+    stops_on("\"method\": \"isph\"", NAN, false);
+    stops_on("\"method\": \"isph\"", INFINITY, false);
     stops_on("\"method\": \"wcsph\", \"sound_speed\": 40, \"density\": \"summation\"", NAN, false);
     stops_on("\"method\": \"wcsph\", \"sound_speed\": 40", NAN, true);
 }

@@ -4,7 +4,7 @@
 #include "run/give_up.h"
 #include "run/limits.h"
 
-static const char *const methods[] = {"wcsph", "dfsph", "muller"};
+static const char *const methods[] = {"wcsph", "dfsph", "muller", "isph"};
 enum { METHODS = sizeof methods / sizeof *methods };
 
 static void open_block(struct world *w, const char *method, const char *keys, const char *fluid)

@@ -27,45 +27,45 @@ def first(*words):
 
 # (case, solver, error of the first row, the most it may be)
 START = (
-    ("hydrostatic-20", "dfsph", start_pressure, 1e-6),
-    ("column-100m", "dfsph", start_pressure, 1e-6),
-    ("taylor-green-jitter", "wcsph", first("flow-error.speed"), 1e-6),
-    ("beltrami", "wcsph", first("flow-error.velocity"), 1e-6),
-    ("standing-wave", "wcsph", first("wave.cosine"), 1e-9),
-    ("martin-moyce", "wcsph", lambda columns, _: abs(
+    ("hydrostatic-20", "isph", start_pressure, 1e-6),
+    ("column-100m", "isph", start_pressure, 1e-6),
+    ("taylor-green-jitter", "isph", first("flow-error.speed"), 1e-6),
+    ("beltrami", "isph", first("flow-error.velocity"), 1e-6),
+    ("standing-wave", "isph", first("wave.cosine"), 1e-9),
+    ("martin-moyce", "isph", lambda columns, _: abs(
         cases.column(columns, "front.position")[0] / exact.MARTIN_MOYCE_WIDTH - 1), 1e-6),
-    ("martin-moyce", "wcsph", lambda columns, _: abs(
+    ("martin-moyce", "isph", lambda columns, _: abs(
         cases.column(columns, "wall2")[0] / exact.MARTIN_MOYCE_WIDTH - 2), 1e-6),
 )
 
 # (case, solver, changes of its scene, {what an error's name begins with: the most it may be})
 COARSE = (
-    ("free-fall", "wcsph", {}, {"height": 1e-5}),
+    ("free-fall", "isph", {}, {"height": 2e-7}),
     ("poiseuille", "wcsph", {"time.end": 2.25}, {"velocity": 0.015}),
-    ("couette", "wcsph", {"time.end": 1.125}, {"velocity": 0.015}),
-    ("taylor-green-jitter", "wcsph",
+    ("couette", "isph", {"time.end": 1.125}, {"velocity": 0.015}),
+    ("taylor-green-jitter", "isph",
      {"particles.spacing": 0.04, "domain.max": [1, 1, 0.28], "bodies.0.max": [1, 1, 0.28],
       "time.end": 1},
-     {"kinetic energy at": 0.1, "speed": 0.1}),
-    ("beltrami", "wcsph", {"particles.spacing": 0.0625}, {"kinetic energy at": 0.1, "speed": 0.1}),
-    ("elliptic-drop", "wcsph",
+     {"kinetic energy at": 0.02, "speed": 0.012}),
+    ("beltrami", "isph", {"particles.spacing": 0.0625}, {"kinetic energy at": 0.036, "speed": 0.02}),
+    ("elliptic-drop", "isph",
      {"particles.spacing": 0.05, "domain.max": [1.6, 2.6, 0.35], "bodies.0.height": 0.35,
       "bodies.0.center": [0, 0, 0.175]},
-     {"semi-axes by moments at t = 0": 0.005, "short, long semi-axis by moments": 0.2,
-      "kinetic energy": 0.03}),
-    ("oscillating-drop", "wcsph",
+     {"semi-axes by moments at t = 0": 0.005, "short, long semi-axis by moments": 0.032,
+      "kinetic energy": 0.024}),
+    ("oscillating-drop", "isph",
      {"particles.spacing": 0.1, "domain.max": [1.8, 1.8, 0.7], "bodies.0.height": 0.7,
       "bodies.0.center": [0, 0, 0.35], "central_force.center": [0, 0, 0.35], "time.end": 7.1},
-     {"period": 0.02, "first amplitude": 0.1, "amplitude, change": 0.15}),
-    ("standing-wave", "wcsph",
+     {"period": 0.02, "first amplitude": 0.036, "amplitude, change": 0.13}),
+    ("standing-wave", "isph",
      {"particles.spacing": 0.1, "domain.max": [2, 1.3, 0.7], "bodies.0.max": [2, 1, 0.7],
       "time.end": 4.6},
-     {"frequency, of sqrt": 0.05, "amplitude": 0.1}),
-    ("hydrostatic-20-thick", "wcsph",
+     {"frequency, of sqrt": 0.02, "amplitude": 0.016}),
+    ("hydrostatic-20-thick", "isph",
      {"particles.spacing": 0.1, "domain.max": [0.6, 1.3, 0.6], "bodies.0.max": [0.6, 1, 0.6],
       "time.end": 3.2},
-     {"pressure, L2": 0.05, "pressure on": 0.05, "volume": 0.03, "mass centre": 0.02,
-      "kinetic energy": 2e-5}),
+     {"pressure, L2": 0.013, "pressure on": 0.006, "volume": 0.004, "mass centre": 0.008,
+      "kinetic energy": 3.6e-5}),
 )
 
 

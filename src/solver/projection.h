@@ -275,8 +275,10 @@ static inline void projection_gradient(const struct stencil *s, float lighter, f
     gradient[2] = b[4] * d[0] + b[5] * d[1] + b[2] * d[2];
 }
 
+#define PROJECTION_ROUNDING 4e-6f /* of a sum over neighbours that is near 1 */
+
 /* The density error that a shift takes back a part of. Where fluid is enclosed the mean cannot
- * change; at a surface only compression counts. */
+ * change; at a surface only compression counts. Rounding does not: a lattice at rest stays still. */
 static inline float projection_crowding(const struct projection_constants *m,
                                         const struct stencil *s, float mean)
 {
@@ -285,6 +287,8 @@ static inline float projection_crowding(const struct projection_constants *m,
         error = error > m->slack ? error - m->slack : 0;
     else
         error -= mean;
+    if (fabsf(error) < PROJECTION_ROUNDING)
+        return 0;
     error = error > m->most ? m->most : error < -m->most ? -m->most : error;
     return m->gain * error;
 }
@@ -323,7 +327,8 @@ static inline float projection_stir(uint32_t word)
 /* Displacement of a step down the gradient of concentration (Lind et al. 2012), in proportion to the
  * speed differences around, so that nothing shifts at rest; at a surface along it only. A lattice
  * under strain is in balance by symmetry and collapses late and violently unless it is stirred. The
- * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W. */
+ * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W; but not where fluids
+ * differ in density: they slip past each other, and the momentum taken over would not be theirs. */
 static inline void projection_fickian(const struct projection_constants *m, uint32_t id, float dt,
                                       const float tensor[9], struct stencil *s)
 {
@@ -352,8 +357,9 @@ static inline void projection_fickian(const struct projection_constants *m, uint
                   b[3] * fick[0] + b[1] * fick[1] + b[5] * fick[2],
                   b[4] * fick[0] + b[5] * fick[1] + b[2] * fick[2]};
     for (int a = 0; a < 3; a++)
-        s->carried[a] = s->fringe > 0 ? 0 : tensor[3 * a] * d[0] + tensor[3 * a + 1] * d[1] +
-                                                tensor[3 * a + 2] * d[2];
+        s->carried[a] = s->fringe > 0 || m->mixed ? 0 : tensor[3 * a] * d[0] +
+                                                            tensor[3 * a + 1] * d[1] +
+                                                            tensor[3 * a + 2] * d[2];
 }
 
 /* The part of the acceleration by the last step's pressure Q that the next half kick believes: all of

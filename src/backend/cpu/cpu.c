@@ -82,7 +82,9 @@ static struct row_build row_build(const struct backend *b, double radius)
     return work;
 }
 
-/* Volumes of wall particles, V_b = 1 / sum_k W_bk over the wall particles (Akinci et al. 2012). */
+/* Volumes of wall particles, V_b = 1 / sum_k W_bk over the wall particles (Akinci et al. 2012). Those
+ * next to the fluid lack its half of the sum and become too large, by which fluid would stand off; a
+ * projection takes the fluid's volume, so that the lattice goes on in the wall. */
 static enum status weigh_walls(struct backend *b, struct error *e)
 {
     double reach = b->choice.support * (1 + SKIN_MAX);
@@ -106,7 +108,8 @@ static enum status weigh_walls(struct backend *b, struct error *e)
                               .count = b->wall.count};
     b->density(&pairs, 0, (b->wall.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK);
     for (size_t i = 0; i < b->wall.count; i++)
-        wall[i].volume = 1 / (b->choice.pair.density * number[i]);
+        wall[i].volume = b->choice.projects ? b->choice.projection.volume[0]
+                                            : 1 / (b->choice.pair.density * number[i]);
 done:
     memory_free(number);
     rows_free(&rows);
