@@ -49,10 +49,10 @@ static inline __attribute__((always_inline)) real pair_unshare(real reference, r
     return real_set(0.5f) * (own + other) / (reference * (own * other));
 }
 
-/* Sums F (u_i - u_j)_a x_b and F p_j, and the largest F |u_ij|^2; `plain` is F without the share of
+/* Sums F (u_i - u_j)_a x_b, F (u_i - u_j) and F p_j, and the largest F |u_ij|^2; `plain` is F without the share of
  * densities. */
 struct pair_flows {
-    real tensor[9], around, speed2;
+    real tensor[9], stray[3], around, speed2;
 };
 
 static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s,
@@ -70,6 +70,9 @@ static inline __attribute__((always_inline)) void pair_flow(struct pair_flows *s
     s->tensor[6] = real_fma(fx, w, s->tensor[6]);
     s->tensor[7] = real_fma(fy, w, s->tensor[7]);
     s->tensor[8] = real_fma(fz, w, s->tensor[8]);
+    s->stray[0] = real_fma(plain, u, s->stray[0]);
+    s->stray[1] = real_fma(plain, v, s->stray[1]);
+    s->stray[2] = real_fma(plain, w, s->stray[2]);
     s->around = real_fma(f, other[3], s->around);
     s->speed2 = pair_larger(plain * square, s->speed2);
 }

@@ -362,6 +362,22 @@ static inline void projection_fickian(const struct projection_constants *m, uint
                                                             tensor[3 * a + 2] * d[2];
 }
 
+/* Deep inside, gradients of differences do not stop a single particle that strays through the fluid: it
+ * keeps half of the largest speed difference around from the mean of its neighbours, which smooth flow
+ * never comes near. `stray` is sum F (u_i - u_j). */
+static inline void projection_stray(const struct projection_constants *m, const float stray[3],
+                                    struct stencil *s)
+{
+    float size2 = 0, most = 0.5f * s->speed * s->spread;
+    for (int a = 0; a < 3; a++)
+        size2 += stray[a] * stray[a];
+    if (s->fringe > 0 || m->mixed || !(size2 > most * most))
+        return;
+    float part = (1 - most / sqrtf(size2)) / s->spread;
+    for (int a = 0; a < 3; a++)
+        s->carried[a] -= part * stray[a];
+}
+
 /* The part of the acceleration by the last step's pressure Q that the next half kick believes: all of
  * it in smooth flow, but an impact is over when it would be repeated. Where P or Q would move fluid by
  * more than a twentieth of a spacing in a step, and for some steps after, flow is `violent`: it gets

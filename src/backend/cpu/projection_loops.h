@@ -168,8 +168,9 @@ static void surface_blocks(const struct pair_work *w, size_t first_block, size_t
     }
 }
 
-/* The right-hand side, from sums F (u_i - u_j) x, sum F p_j, and the largest F |u_ij|^2. */
-static inline void flow_store(const struct pair_work *w, size_t k, const float sum[11])
+/* The right-hand side, from sums F (u_i - u_j) x, sum F p_j, the largest F |u_ij|^2, and sums
+ * F (u_i - u_j). */
+static inline void flow_store(const struct pair_work *w, size_t k, const float sum[14])
 {
     const struct projection_work *t = w->projection;
     const struct projection_constants *c = t->constants;
@@ -182,6 +183,7 @@ static inline void flow_store(const struct pair_work *w, size_t k, const float s
     float close = settled(sum[10]) / (c->laplacian * c->volume[0] * c->slope);
     s->speed = sqrtf(close > 0 ? close : 0);
     projection_fickian(c, t->id[k], t->dt, tensor, s);
+    projection_stray(c, sum + 11, s);
     projection_row(c, s, t->before, divergence, w->motion[k].pressure, settled(sum[9]), row);
 }
 
@@ -194,8 +196,9 @@ FORCE_INLINE void flow_rows(const struct pair_work *w, size_t first_block, size_
         real volume, own[4], zero = real_set(0);
         real inverse = mixed ? real_load(w->inverse_density + i) : zero;
         struct lane_point point = point_load(w, i, &volume);
-        struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero}, zero, zero};
-        float out[11][LANES];
+        struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero},
+                               {zero, zero, zero}, zero, zero};
+        float out[14][LANES];
         records_load(w->motion + i, lane_ramp, own);
         for (uint32_t k = 0; k < row.length; k++) {
             const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
@@ -213,9 +216,11 @@ FORCE_INLINE void flow_rows(const struct pair_work *w, size_t first_block, size_
             real_store(out[a], s.tensor[a]);
         real_store(out[9], s.around);
         real_store(out[10], s.speed2);
+        for (int a = 0; a < 3; a++)
+            real_store(out[11 + a], s.stray[a]);
         for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-            float sum[11];
-            for (int a = 0; a < 11; a++)
+            float sum[14];
+            for (int a = 0; a < 14; a++)
                 sum[a] = out[a][l];
             flow_store(w, i + l, sum);
         }
