@@ -89,7 +89,7 @@ const struct pass_row pass_table[PASS_COUNT] = {
     [PASS_STENCIL] = {PASS_STENCIL, PASS_PAIR, "stencil", "Laplacian, kernel sums, density",
                       POSITION, STENCIL | DENSITY | SURFACE},
     [PASS_SURFACE] = {PASS_SURFACE, PASS_PAIR, "surface", "who is near it, and how deep",
-                      STENCIL | SURFACE | DIRECTION, STENCIL | UNKNOWN},
+                      STENCIL | SURFACE | DIRECTION, STENCIL | UNKNOWN | PRODUCT},
     [PASS_ADVANCE] = {PASS_ADVANCE, PASS_EACH, "advance", "half kick without pressure",
                       MOTION | RATE, MOTION},
     [PASS_FLOW] = {PASS_FLOW, PASS_PAIR, "flow", "divergence, Poisson's equation",

@@ -28,6 +28,7 @@
 #define SOLVER_PROJECTION_H
 
 #include "solver/explicit.h"
+#include "solver/stir.h"
 
 struct projection_constants {
     float gradient;   /* struct pair_constants */
@@ -310,18 +311,6 @@ static inline void projection_pressures(const struct projection_constants *m, fl
     row->value = shift;
 }
 
-/* Component of a direction of the particle's own, -1 to 1: the bits of `word` well mixed
- * (Appleby's finalizer of MurmurHash3). */
-static inline float projection_stir(uint32_t word)
-{
-    word ^= word >> 16;
-    word *= 0x85ebca6bu;
-    word ^= word >> 13;
-    word *= 0xc2b2ae35u;
-    word ^= word >> 16;
-    return (float)(int32_t)word * 0x1p-31f;
-}
-
 #define PROJECTION_STIR 0.2f
 
 /* Displacement of a step down the gradient of concentration (Lind et al. 2012), in proportion to the
@@ -346,7 +335,7 @@ static inline void projection_fickian(const struct projection_constants *m, uint
     }
     for (uint32_t a = 0; a < 3; a++) {
         float crowd = s->crowd[a] - along * (s->toward[a] + s->wall[a]);
-        float stir = s->fringe > 0 ? 0 : PROJECTION_STIR * projection_stir(3 * id + a);
+        float stir = s->fringe > 0 ? 0 : PROJECTION_STIR * stir_component(3 * id + a);
         fick[a] = part * most * (stir - m->fickian * crowd);
         size2 += fick[a] * fick[a];
     }

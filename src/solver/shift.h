@@ -15,6 +15,7 @@
 #define SOLVER_SHIFT_H
 
 #include "solver/explicit.h"
+#include "solver/stir.h"
 
 struct shift {
     float velocity[3]; /* u, m/s */
@@ -53,17 +54,6 @@ static inline void shift_walls(const struct explicit_constants *c, const struct 
     }
 }
 
-/* Component of r, -1 to 1: the bits of `word` well mixed (Appleby's finalizer of MurmurHash3). */
-static inline float shift_stir(uint32_t word)
-{
-    word ^= word >> 16;
-    word *= 0x85ebca6bu;
-    word ^= word >> 13;
-    word *= 0xc2b2ae35u;
-    word ^= word >> 16;
-    return (float)(int32_t)word * 0x1p-31f;
-}
-
 /* From the sums without walls; returns l. */
 static inline float shift_choose(const struct explicit_constants *c, const struct position *x,
                                  uint32_t id, struct shift_sums s, struct shift *shift)
@@ -74,7 +64,7 @@ static inline float shift_choose(const struct explicit_constants *c, const struc
     shift->deep = 1 - (s.surface > lack ? s.surface : lack);
     float most = sqrtf(s.speed2) * shift->deep, square = 0;
     for (uint32_t a = 0; a < 3; a++) {
-        float stir = SHIFT_STIR * shift_stir(3 * id + a);
+        float stir = SHIFT_STIR * stir_component(3 * id + a);
         shift->velocity[a] = most * (stir - SHIFT_SIZE * c->h * s.crowd[a]);
         square += shift->velocity[a] * shift->velocity[a];
     }

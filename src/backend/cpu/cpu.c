@@ -141,6 +141,16 @@ static void cpu_close(struct backend *b)
     free(b);
 }
 
+/* All processors, but no more than the particles keep busy: each loop's end costs a few microseconds,
+ * and on a busy machine milliseconds. */
+static int usual_threads(size_t particles)
+{
+    enum { LEAST_PARTICLES = 1000 }; /* of a thread */
+    size_t most = 1 + particles / LEAST_PARTICLES;
+    int processors = omp_get_num_procs();
+    return most < (size_t)processors ? (int)most : processors;
+}
+
 static enum status cpu_open(struct backend **out, const struct backend_setup *setup,
                             struct particles *particles, struct particles *walls, struct error *e)
 {
@@ -152,7 +162,7 @@ static enum status cpu_open(struct backend **out, const struct backend_setup *se
     b->choice = *setup->choice;
     b->space = *setup->space;
     b->search = setup->search;
-    b->threads = setup->threads > 0 ? setup->threads : omp_get_num_procs();
+    b->threads = setup->threads > 0 ? setup->threads : usual_threads(particles->count);
     omp_set_num_threads(b->threads);
     b->particles = *particles;
     b->wall = *walls;
