@@ -1,70 +1,10 @@
 #!/bin/sh
 # Tests that isph gives the same bits for any number of threads, instruction set, neighbour search and
 # compiler: state hashes of every frame, a hundred or more steps of moving fluid.
-. tests/tap.sh
-: "${BUILD:=build}" "${CC:=gcc}"
-export OMP_WAIT_POLICY=passive
-
-# states PROGRAM ARGUMENTS...: "time hash" of each frame
-states() {
-    program=$1
-    shift
-    "$program" -q "$@" -o null --report "$work/report.json" 2>"$work/out" || return 1
-    jq -r '.frames[] | "\(.time) \(.state)"' "$work/report.json"
-}
-
-# same WHAT PROGRAM ARGUMENTS...: the states of $work/first
-same() {
-    what=$1
-    shift
-    states "$@" >"$work/next" && cmp "$work/first" "$work/next" >>"$work/out" 2>&1
-    result $? "$name: the same $what"
-}
-
-# The other compiler, as t501 builds it.
-case $CC in *clang*) other=gcc ;; *) other=clang ;; esac
-second=$BUILD/$other/sph-render
-if command -v $other >/dev/null; then
-    env -u MAKEFLAGS -u MFLAGS make -j2 CC=$other BUILD="$BUILD/$other" OPT=-O2 CUDA=0 MPI=0 EGL=0 \
-        OSMESA=0 LIBAV=0 CAIRO=0 all >"$work/out" 2>&1
-    result $? "the program builds with $other"
-else
-    second=
-    echo "# $other IS MISSING: compilers are not compared; install it and test again"
-fi
-
-isas=
-for isa in $("$SPH" list isas | awk '{print $1}' | grep -E '^(scalar|avx2|avx512)$'); do
-    if [ "$isa" = scalar ] || grep -qwE "$isa|${isa}f" /proc/cpuinfo; then
-        isas="$isas $isa"
-    else
-        echo "# $isa: this processor does not have it"
-    fi
-done
-
-# compare NAME SCENE ARGUMENTS...
-compare() {
-    name=$1
-    shift
-    states "$SPH" "$@" --threads 1 >"$work/first"
-    jq -e '.steps >= 100 and .solves.velocity.sweeps > .steps and .solves.velocity.unsolved == 0 and
-           .solves.shift.sweeps > 0 and .solves.shift.unsolved == 0' "$work/report.json" >"$work/out" &&
-        [ "$(sort -u -k2 "$work/first" | wc -l)" -ge 20 ]
-    result $? "$name: $(jq -r '"\(.particles) particles, \(.steps) steps, \(.solves.velocity.sweeps) and \(
-        .solves.shift.sweeps) iterations"' "$work/report.json")"
-    for threads in 2 3 7; do
-        same "on $threads threads" "$SPH" "$@" --threads $threads
-    done
-    for isa in $isas; do
-        same "with --isa $isa" "$SPH" "$@" --threads 1 --isa "$isa"
-    done
-    same "with all-pairs" "$SPH" "$@" --threads 2 --set neighbours=all-pairs
-    [ -n "$second" ] || return
-    for isa in scalar auto; do
-        same "from $other, --isa $isa" "$second" "$@" --threads 2 --isa $isa
-    done
-}
-
+. tests/bits.sh
+worth='.steps >= 100 and .solves.velocity.sweeps > .steps and .solves.velocity.unsolved == 0 and
+       .solves.shift.sweeps > 0 and .solves.shift.unsolved == 0'
+least=20
 compare "dam break" scenes/dambreak.json --set particles.spacing=0.055 --set 'solver.method="isph"' \
     --end 1.2 --fps 20
 compare "vortices, enclosed" tests/scenes/projection-vortices.json

@@ -91,10 +91,9 @@ void cpu_advance(struct backend *b, const struct step *step)
             particles_motion(p)[i].velocity[a] += half * particles_rate(p)[i].acceleration[a];
 }
 
-/* Mean of rho/rho0 - 1 where fluid is enclosed, else 0. */
-static float mean_crowding(const struct backend *b)
+/* Mean of a member of the particles' records, `stride` floats apart; 0 where fluid is not enclosed. */
+static float enclosed_mean(const struct backend *b, const float *member, size_t stride)
 {
-    const struct stencil *stencil = b->particles.now[FIELD_STENCIL];
     struct sums all = {0};
     if (!b->choice.enclosed || b->particles.count == 0)
         return 0;
@@ -103,7 +102,7 @@ static float mean_crowding(const struct backend *b)
         struct sums own = {0};
 #pragma omp for schedule(static)
         for (size_t i = 0; i < b->particles.count; i++)
-            exact_add(&own.first, -(double)stencil[i].lack);
+            exact_add(&own.first, (double)member[i * stride]);
         merge(&all, &own);
     }
     return (float)(exact_value(&all.first) / (double)b->particles.count);
@@ -117,7 +116,7 @@ void cpu_crowding(struct backend *b, const struct step *step)
     const struct stencil *stencil = p->now[FIELD_STENCIL];
     struct unknown *unknown = p->now[FIELD_UNKNOWN];
     struct trial *trial = p->now[FIELD_TRIAL];
-    float mean = mean_crowding(b);
+    float mean = -enclosed_mean(b, &stencil->lack, sizeof *stencil / sizeof(float));
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++)
         projection_pressures(c, b->choice.each.h, &stencil[i], mean, step->before,
@@ -146,29 +145,12 @@ static double residual_scale(const struct backend *b, const struct step *step)
     return dt * dt / (2 * (double)b->choice.projection.reference * n);
 }
 
-/* Where nothing is fixed the pressure is known but for a constant, and the residual has no mean. */
-static float mean_residual(const struct backend *b)
-{
-    const struct unknown *unknown = b->particles.now[FIELD_UNKNOWN];
-    struct sums all = {0};
-    if (!b->choice.enclosed || b->particles.count == 0)
-        return 0;
-#pragma omp parallel
-    {
-        struct sums own = {0};
-#pragma omp for schedule(static)
-        for (size_t i = 0; i < b->particles.count; i++)
-            exact_add(&own.first, (double)unknown[i].residual);
-        merge(&all, &own);
-    }
-    return (float)(exact_value(&all.first) / (double)b->particles.count);
-}
-
 void cpu_residual(struct backend *b, struct step *step)
 {
     struct particles *p = &b->particles;
     struct unknown *unknown = p->now[FIELD_UNKNOWN];
-    const float mean = mean_residual(b);
+    /* Where nothing is fixed the pressure is known but for a constant: the residual has no mean. */
+    const float mean = enclosed_mean(b, &unknown->residual, sizeof *unknown / sizeof(float));
     float *direction = p->now[FIELD_DIRECTION];
     struct sums all = {0};
 #pragma omp parallel
