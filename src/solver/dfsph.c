@@ -13,12 +13,7 @@ static const struct key keys[] = {
      .doc = "mean compression by one step of the velocity"},
     {.path = "solver.sweeps", .type = KEY_INT, .fallback = "100", .min = 1, .max = 10000,
      .unit = "", .offset = KEY_OPTION, .doc = "largest number of sweeps of a solve"},
-    {.path = "solver.viscosity", .type = KEY_CHOICE, .fallback = "\"auto\"",
-     .choices = "auto|explicit|implicit", .unit = "", .offset = KEY_OPTION,
-     .doc = "viscosity by the force pass, or by solving where that would bound the step"},
-    {.path = "solver.viscosity_error", .type = KEY_REAL, .flags = KEY_ABOVE_MIN,
-     .fallback = "1e-4", .min = 0, .max = 0.1, .unit = "", .offset = KEY_OPTION,
-     .doc = "residual of implicit viscosity, relative to the velocity and to its change"},
+    VISCOSITY_KEYS,
 };
 
 static const enum pass_id passes[] = {

@@ -226,7 +226,7 @@ static inline void projection_surface(const struct explicit_constants *c,
     row->inverse = row->diagonal * c->h * c->h > 1e-4f ? 1 / row->diagonal : 0;
 }
 
-/* div u from sum V_j slope x_b (u_j - u_i)_a, times -gradient: tensor[3 a + b]. */
+/* div u from tensor[3 a + b] = sum V_j (u_j - u_i)_a grad_b W. */
 static inline float projection_divergence(const struct stencil *s, const float tensor[9],
                                           const float u[3])
 {
@@ -242,8 +242,8 @@ static inline float projection_divergence(const struct stencil *s, const float t
 }
 
 /* The row of Poisson's equation for a step `before` that ended with these positions; none: the
- * pressure stays. It starts from the last pressure Q; `around` is sum F_ij Q_j. Torn fluid has no Q, and
- * none at all if it expands. */
+ * pressure stays. It starts from the last pressure Q; `around` is sum F_ij Q_j. In torn fluid that expands
+ * the pressure stays, too: it is 0 but in the first step after the fluid was torn. */
 static inline void projection_row(const struct projection_constants *m, const struct stencil *s,
                                   float before, float divergence, float pressure,
                                   float around, struct unknown *row)
@@ -256,8 +256,8 @@ static inline void projection_row(const struct projection_constants *m, const st
         row->inverse = 0;
 }
 
-/* R/rho grad p from difference = sum 2 R/(rho_i + rho_j) V_j (p_j - p_i) grad W; `beyond` is what walls continue it by, along
- * each axis: the force per volume that they must balance, Pa/m. */
+/* R/rho grad p from difference = sum 2 R/(rho_i + rho_j) V_j (p_j - p_i) grad W; `beyond` is what walls
+ * continue it by, along each axis: the force per volume that they must balance, Pa/m. */
 static inline void projection_gradient(const struct stencil *s, float lighter, float p,
                                        const float difference[3], const float beyond[3],
                                        float gradient[3])

@@ -99,7 +99,16 @@ static inline int solver_row_bytes(const struct solver_choice *choice)
     return choice->projects ? 8 : 4;
 }
 
-/* Viscosity of implicit solvers: explicit, or solved for where that would bound the step. */
+/* Viscosity of implicit solvers: explicit, or solved for where that would bound the step. Their keys
+ * of it (scene/key.h). */
+#define VISCOSITY_KEYS \
+    {.path = "solver.viscosity", .type = KEY_CHOICE, .fallback = "\"auto\"", \
+     .choices = "auto|explicit|implicit", .unit = "", .offset = KEY_OPTION, \
+     .doc = "viscosity by the force pass, or by solving where that would bound the step"}, \
+    {.path = "solver.viscosity_error", .type = KEY_REAL, .flags = KEY_ABOVE_MIN, \
+     .fallback = "1e-4", .min = 0, .max = 0.1, .unit = "", .offset = KEY_OPTION, \
+     .doc = "residual of implicit viscosity, relative to the velocity and to its change"}
+
 void viscosity_choose(const struct scene *scene, struct solver_choice *choice);
 
 /* The part that optional accelerations have in it; each also bounds the step and raises the
