@@ -247,6 +247,10 @@ def elliptic_drop(columns, scene):
                       Result("kinetic energy, drift", energy[-1] / energy[0] - 1)]
 
 
+def capillary_measure(scene):
+    return [{"quantity": "spread"}, {"quantity": "pressure", "at": [0, 0, 0], "radius": 0.005}]
+
+
 def oscillating_drop(columns, scene):
     """From <y^2> - <x^2>, which passes zero each half period and reaches 3/8 R^2 between; R is that
     of the particles at the start, whose number is whole."""
@@ -264,6 +268,26 @@ def oscillating_drop(columns, scene):
             Result("first amplitude", tops[0] / (0.375 * radius ** 2) - 1),
             Result("amplitude, change in a period", (tops[-1] / tops[0]) ** (1 / periods) - 1),
             start_axes(columns, spacing(scene))]
+
+
+
+def capillary_drop(columns, scene):
+    """Mode 2 from <x^2> - <y^2>; the pressure is the mean of the second half."""
+    fluid, radius = scene["fluids"][0], scene["bodies"][0]["radius"]
+    period = 2 * math.pi / math.sqrt(8 * fluid["surface_tension"] / (fluid["density"] * radius ** 3))
+    rate = 5 * fluid["viscosity"] / (fluid["density"] * radius ** 2)
+    times, pressures = times_of(columns), column(columns, "pressure")
+    waves = [x * x - y * y for x, y in
+             zip(column(columns, "spread.x"), column(columns, "spread.y"))]
+    crossings = fits.sign_changes(times, waves, after=period / 10)
+    if len(crossings) < 3:
+        raise Missing("two half periods")
+    half = exact.slope(range(1, len(crossings) + 1), crossings)
+    tops = fits.peaks(times, waves, [0] + crossings)
+    decay = math.log(abs(tops[0] / tops[-1])) / ((len(tops) - 1) * half)
+    late = pressures[len(pressures) // 2:]
+    return [Result("period", 2 * half / period - 1), Result("damping", decay / rate - 1),
+            Result("pressure", sum(late) / len(late) / (2 * fluid["surface_tension"] / radius) - 1)]
 
 
 # The others.
@@ -333,6 +357,7 @@ CASES = (
          FREE),
     Case("elliptic-drop", "elliptic-drop", drop_measure, elliptic_drop, 0.00038),
     Case("oscillating-drop", "oscillating-drop", drop_measure, oscillating_drop, 0.05),
+    Case("capillary-drop", "capillary-drop", capillary_measure, capillary_drop, 0.0066),
     Case("square-patch", "square-patch", asking("energy", "angular-momentum"), square_patch, 0.1,
          PATCH),
     Case("standing-wave", "standing-wave", wave_measure, standing_wave, 0.04, WAVE),

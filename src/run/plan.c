@@ -37,9 +37,11 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
         return !c->is_implicit || applied;
     case PASS_NORMALS:
         if (!c->tension.any)
-            omit(plan, "passes normals, tension: every fluid has surface tension 0");
+            omit(plan, "passes of surface tension: every fluid has surface tension 0");
         return c->tension.any;
     case PASS_TENSION:
+    case PASS_CURVATURE:
+    case PASS_JUMP:
         return c->tension.any;
     case PASS_EXTERNAL:
         if (!c->external.any && !(c->tension.any && c->starts_rate))
@@ -194,8 +196,8 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     static const size_t particles[FLUIDS_MAX];
     struct plan trial = *plan;
     solver_choose(plan->solver, plan->scene, &plan->space, volume, particles, &trial.choice);
-    if (trial.choice.is_implicit && trial.choice.tension.any) /* drops scatter, as measured */
-        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use wcsph, "
+    if (trial.choice.is_implicit && !trial.choice.projects && trial.choice.tension.any) /* drops scatter, as measured */
+        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use isph, "
                          "or set fluids[].surface_tension to 0", plan->scene->source,
                          plan->solver->variant.name);
     if (trial.choice.shifting &&

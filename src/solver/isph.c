@@ -18,7 +18,7 @@ static const struct key keys[] = {
 
 static const enum pass_id passes[] = {
     PASS_SORT, PASS_NEIGHBOURS, PASS_REWIND, PASS_STENCIL, PASS_SURFACE, PASS_FORCE, PASS_EXTERNAL,
-    PASS_WALLS, PASS_ADVANCE,
+    PASS_NORMALS, PASS_CURVATURE, PASS_JUMP, PASS_WALLS, PASS_ADVANCE,
     PASS_FLOW, PASS_RESIDUAL,
     PASS_SOLVE_VELOCITY, PASS_PRODUCT, PASS_DESCENT, PASS_SOLVED,
     PASS_CROWDING, PASS_RESIDUAL,
@@ -64,6 +64,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
             choice->each.mass[f] / choice->each.rest_density[f];
     }
     p->whole *= p->laplacian * p->volume[0];
+    p->self = p->laplacian * p->volume[0] * (float)choice->kernel->slope(q / 2);
     choice->solves[SOLVE_VELOCITY] = (struct solve_limits){
         scene_real(scene, "solver.divergence_error"), 0, most, 1, 0};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){

@@ -20,6 +20,8 @@ enum pass_id {
     PASS_FORCE,
     PASS_EXTERNAL,
     PASS_TENSION,
+    PASS_CURVATURE,
+    PASS_JUMP,
     PASS_WALLS,
     PASS_SHIFT,
     PASS_CORRECT,

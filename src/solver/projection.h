@@ -29,6 +29,7 @@
 
 #include "solver/explicit.h"
 #include "solver/stir.h"
+#include "solver/tension.h"
 
 struct projection_constants {
     float gradient;   /* struct pair_constants */
@@ -45,6 +46,7 @@ struct projection_constants {
     float fickian;    /* 2 A h, m: shift per gradient of concentration, speed and time */
     float fringe;     /* part of it at a surface */
     float whole;      /* sum F on the lattice, 1/m^2 */
+    float self;       /* F of a neighbour at d/2, which a particle counts itself as */
     float closeness;  /* 1 / w(d) */
     float slope;      /* of the kernel at d, as in F; negative */
     bool enclosed;    /* no surface */
@@ -64,7 +66,8 @@ struct stencil {
     float fringe;      /* 1 near a surface, 0 inside */
     float speed;       /* U: largest close speed difference to a neighbour, m/s */
     float crowding;    /* sum F_ij f_j of the last step's shift */
-    float spare[3];
+    float jump;        /* pressure of the surface by its tension, Pa */
+    float spare[2];
 };
 
 /* One row of a linear system that conjugate gradients solve. */
@@ -222,8 +225,18 @@ static inline void projection_surface(const struct explicit_constants *c,
         sink = m->lighter[fluid] * 2 * sqrtf(size2) / (depth < least ? least : depth);
     }
     s->crowding = crowding;
+    s->jump = 0;
     row->diagonal = s->spread + sink;
     row->inverse = row->diagonal * c->h * c->h > 1e-4f ? 1 / row->diagonal : 0;
+}
+
+/* The pressure jump at the surface from sums F s p and F s over neighbours; a particle at the surface
+ * counts itself. */
+static inline void projection_jump(const struct projection_constants *m, float sum, float weight,
+                                   const struct normal *n, float own, struct stencil *s)
+{
+    float self = m->self * n->size;
+    s->jump = weight + self > 1e-6f * m->self ? (sum + self * own) / (weight + self) : 0;
 }
 
 /* div u from tensor[3 a + b] = sum V_j (u_j - u_i)_a grad_b W. */
@@ -250,14 +263,16 @@ static inline void projection_row(const struct projection_constants *m, const st
 {
     bool fixed = !(before > 0) || (!m->enclosed && s->lack > m->torn && divergence > 0);
     float source = before > 0 ? -2 * m->reference / before * divergence : 0;
+    source += (row->diagonal - s->spread) * s->jump;
     row->value = pressure;
     row->residual = source - (row->diagonal * pressure - around);
     if (fixed)
         row->inverse = 0;
 }
 
-/* R/rho grad p from difference = sum 2 R/(rho_i + rho_j) V_j (p_j - p_i) grad W; `beyond` is what walls
- * continue it by, along each axis: the force per volume that they must balance, Pa/m. */
+/* R/rho grad p from difference = sum 2 R/(rho_i + rho_j) V_j (p_j - p_i) grad W; p is counted from the
+ * surface's, and `beyond` is what walls continue it by, along each axis: the force per volume that they
+ * must balance, Pa/m. */
 static inline void projection_gradient(const struct stencil *s, float lighter, float p,
                                        const float difference[3], const float beyond[3],
                                        float gradient[3])
@@ -303,9 +318,9 @@ static inline void projection_pressures(const struct projection_constants *m, fl
                                         struct trial *trial)
 {
     bool torn = s->lack > m->torn && !m->enclosed;
-    float p = row->value < 0 && torn ? 0 : row->value;
+    float p = row->value < s->jump && torn ? s->jump : row->value;
     trial->pressure = p;
-    trial->mean = torn ? 0 : before > 0 ? 0.5f * (old + p) : old;
+    trial->mean = torn ? s->jump : before > 0 ? 0.5f * (old + p) : old;
     row->inverse = row->diagonal * h * h > 1e-4f ? 1 / row->diagonal : 0;
     row->residual = projection_crowding(m, s, mean) - (row->diagonal * shift - s->crowding);
     row->value = shift;

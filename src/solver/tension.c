@@ -49,6 +49,7 @@ void tension_choose(const struct scene *scene, struct solver_choice *choice)
         /* Ripples two spacings long, which outrun all others: omega^2 = sigma k^3/rho. */
         speed2 = fmax(speed2, pi * sigma / (rho * d));
         t->strength[f] = (float)(sigma / (plane * h * h * rho));
+        t->pressure[f] = (float)(sigma / h);
         if (sigma > 0)
             choice->limits.capillary = fmin(choice->limits.capillary,
                                             0.25 * sqrt(rho * h * h * h / (2 * pi * sigma)));
@@ -61,6 +62,8 @@ void tension_choose(const struct scene *scene, struct solver_choice *choice)
     t->low2 = (float)(low * low);
     t->scale = (float)(1 / (high * high - low * low));
     t->most = 1;
+    t->inset = (float)(d / (4 * h));
+    t->between = scene->fluid_count > 1;
     kernel_plane_table(&kernel_wendland_c2, choice->support / d, &t->planes);
     choice->fastest = sqrt(choice->fastest * choice->fastest + speed2);
 }

@@ -21,6 +21,9 @@ struct tension_constants {
     float low2, scale;          /* s is 0 below (h |grad c|)^2 = low2, whole above low2 + 1/scale */
     float most;                 /* largest |kappa| h */
     float strength[FLUIDS_MAX]; /* sigma/(e h^2 rho0), m/s^2 */
+    float pressure[FLUIDS_MAX]; /* sigma/h, Pa: of kappa h = 1 */
+    float inset;                /* of the outermost particles below the surface, d/4h: half of it */
+    bool between;               /* there are several fluids */
     struct plane_table planes;  /* of W */
 };
 
@@ -75,13 +78,37 @@ static inline struct normal tension_normal(const struct explicit_constants *c,
     return n;
 }
 
-/* Adds the acceleration; turn and spread are the two sums of kappa, times h^3. */
-static inline void tension_rate(const struct tension_constants *t, int fluid,
-                                const struct normal *n, float turn, float spread,
-                                struct rate *rate)
+/* kappa h; turn and spread are its two sums, times h^3. */
+static inline float tension_curvature(const struct tension_constants *t, float turn, float spread)
 {
-    float curvature = spread < -1e-6f ? 2 * turn / spread : 0; /* times h; without neighbours 0 */
-    curvature = curvature > t->most ? t->most : curvature < -t->most ? -t->most : curvature;
+    float curvature = spread < -1e-6f ? 2 * turn / spread : 0; /* without neighbours 0 */
+    return curvature > t->most ? t->most : curvature < -t->most ? -t->most : curvature;
+}
+
+/* sigma kappa of the surface outside particles with that kappa h: a sphere's is d/2 farther out, Pa. */
+static inline float tension_pressure(const struct tension_constants *t, int fluid, float curvature)
+{
+    return t->pressure[fluid] * curvature / (1 + curvature * t->inset);
+}
+
+/* Adds the acceleration at the interface to other fluids, whose particles make up for the gradient of the
+ * fluid's own: `lacks` is h |grad c| of all fluids, whose tension acts as a pressure p elsewhere. */
+static inline void tension_between(const struct tension_constants *t, int fluid,
+                                   const struct normal *n, const float lacks[3], float p,
+                                   struct rate *rate)
+{
+    float square = lacks[0] * lacks[0] + lacks[1] * lacks[1] + lacks[2] * lacks[2];
+    float part = square > 0 ? tension_part(t, square) : 0;
+    float curvature = t->pressure[fluid] > 0 ? p / t->pressure[fluid] : 0;
+    for (int a = 0; a < 3; a++)
+        rate->acceleration[a] += t->strength[fluid] * curvature *
+                                 (n->size * n->along[a] - part * lacks[a]);
+}
+
+/* Adds the acceleration. */
+static inline void tension_rate(const struct tension_constants *t, int fluid,
+                                const struct normal *n, float curvature, struct rate *rate)
+{
     float size = t->strength[fluid] * curvature * n->size;
     for (int a = 0; a < 3; a++)
         rate->acceleration[a] += size * n->along[a];

@@ -1,15 +1,21 @@
 /* Optional accelerations on the cpu: surface tension, central force, buoyancy, dissipation. */
 #include "backend/cpu/cpu.h"
 
-void cpu_tension(struct backend *b, enum pair_pass pass)
+struct tension_work cpu_tension_work(const struct backend *b, float *pressure)
 {
-    const struct particles *p = &b->particles;
-    struct tension_work tension = {
+    return (struct tension_work){
         .each = &b->choice.each,
         .constants = &b->choice.tension,
         .fluid = b->fluid,
-        .normal = p->now[FIELD_NORMAL],
+        .normal = b->particles.now[FIELD_NORMAL],
+        .pressure = pressure,
     };
+}
+
+void cpu_tension(struct backend *b, enum pair_pass pass, float *pressure)
+{
+    const struct particles *p = &b->particles;
+    struct tension_work tension = cpu_tension_work(b, pressure);
     struct pair_work work = cpu_pair_work(b);
     work.tension = &tension;
     for (size_t i = 0; pass == PAIR_PASS_NORMALS && b->fluid && i < p->count; i++)

@@ -234,8 +234,12 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_PRESSURE: cpu_pressure(b); break;
     case PASS_FORCE: cpu_pairs(b, b->force); break;
     case PASS_EXTERNAL: cpu_external(b, step); break;
-    case PASS_NORMALS: cpu_tension(b, PAIR_PASS_NORMALS); break;
-    case PASS_TENSION: cpu_tension(b, PAIR_PASS_TENSION); break;
+    case PASS_NORMALS: cpu_tension(b, PAIR_PASS_NORMALS, NULL); break;
+    case PASS_TENSION: cpu_tension(b, PAIR_PASS_TENSION, NULL); break;
+    case PASS_CURVATURE:
+        cpu_tension(b, PAIR_PASS_TENSION, b->particles.now[FIELD_DIRECTION]);
+        break;
+    case PASS_JUMP: cpu_projection(b, step, PAIR_PASS_JUMP); break;
     case PASS_WALLS: cpu_walls(b); break;
     case PASS_SHIFT: cpu_shift(b); break;
     case PASS_CORRECT: cpu_correct(b, step); break;

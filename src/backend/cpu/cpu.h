@@ -62,7 +62,8 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass);
 void cpu_external(struct backend *b, const struct step *step);
 
 /* The pair passes of surface tension. */
-void cpu_tension(struct backend *b, enum pair_pass pass);
+struct tension_work cpu_tension_work(const struct backend *b, float *pressure);
+void cpu_tension(struct backend *b, enum pair_pass pass, float *pressure);
 
 /* Conjugate gradients of implicit viscosity: what is around each product (solver/drag.h). */
 void cpu_drag_begin(struct backend *b, const struct step *step);

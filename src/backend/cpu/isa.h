@@ -78,6 +78,7 @@ struct tension_work {
     const struct tension_constants *constants;
     const float *fluid; /* index per particle; NULL: one fluid */
     struct normal *normal;
+    float *pressure; /* written by the tension pass, Pa; NULL: an acceleration is */
 };
 
 /* What the projection solver's passes read and write besides. */
@@ -129,7 +130,7 @@ enum pair_pass {
     PAIR_PASS_FORCE,
     PAIR_PASS_SHIFT,   /* writes shifting->now, surface_now */
     PAIR_PASS_NORMALS, /* writes tension->normal */
-    PAIR_PASS_TENSION, /* adds to rate */
+    PAIR_PASS_TENSION, /* adds to rate, or writes tension->pressure */
     PAIR_PASS_FACTOR,
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */
@@ -138,6 +139,7 @@ enum pair_pass {
     PAIR_PASS_DRAG,
     PAIR_PASS_STENCIL, /* writes projection->stencil, density, surface and the rows' weights */
     PAIR_PASS_SURFACE, /* completes projection->stencil, begins unknown */
+    PAIR_PASS_JUMP,    /* writes stencil->jump */
     PAIR_PASS_FLOW,    /* writes the rows of Poisson's equation and direction */
     PAIR_PASS_PRODUCT, /* writes projection->product */
     PAIR_PASS_SLOPES   /* writes projection->motion, rate, stencil->crowd */

@@ -294,6 +294,7 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_SHIFT: return cubic ? shift_cubic : shift_wendland;
     case PAIR_PASS_STENCIL: return cubic ? stencil_cubic : stencil_wendland;
     case PAIR_PASS_SURFACE: return surface_blocks;
+    case PAIR_PASS_JUMP: return jump_blocks;
     case PAIR_PASS_FLOW: return flow_blocks;
     case PAIR_PASS_PRODUCT: return product_blocks;
     case PAIR_PASS_SLOPES: return slopes_blocks;

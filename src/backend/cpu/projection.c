@@ -53,7 +53,10 @@ void cpu_projection(struct backend *b, const struct step *step, enum pair_pass p
         .product = p->now[FIELD_PRODUCT],
     };
     struct pair_work work = cpu_pair_work(b);
+    struct tension_work tension = cpu_tension_work(b, projection.direction);
     work.projection = &projection;
+    if (pass == PAIR_PASS_JUMP)
+        work.tension = &tension;
     if (b->choice.projection.mixed) {
         if (pass == PAIR_PASS_STENCIL)
             cpu_invert_densities(b);

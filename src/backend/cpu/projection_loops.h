@@ -168,6 +168,42 @@ static void surface_blocks(const struct pair_work *w, size_t first_block, size_t
     }
 }
 
+FORCE_INLINE void jump_store(const struct pair_work *w, size_t k, float sum, float weight)
+{
+    const struct tension_work *t = w->tension;
+    struct stencil *s = &w->projection->stencil[k];
+    float own = t->pressure[k], lacks[3], h = t->each->h;
+    projection_jump(w->projection->constants, settled(sum), settled(weight), &t->normal[k], own, s);
+    for (int a = 0; a < 3; a++)
+        lacks[a] = h * (s->toward[a] + s->wall[a]);
+    if (t->constants->between)
+        tension_between(t->constants, solve_fluid(w, k), &t->normal[k], lacks, own, &w->rate[k]);
+}
+
+/* The pressure that tension gives the surface around: its curvature is known at the surface only, and
+ * particles see that of their own fluid. Between fluids tension is a force. */
+static void jump_blocks(const struct pair_work *w, size_t first_block, size_t last_block)
+{
+    const struct tension_work *t = w->tension;
+    for (size_t i = first_block * PARTICLE_BLOCK; i < last_block * PARTICLE_BLOCK; i += LANES) {
+        struct lane_row row = lane_row(w, i);
+        real sum = real_set(0), weight = sum, own = t->fluid ? real_load(t->fluid + i) : sum;
+        float out[2][LANES];
+        for (uint32_t k = 0; k < row.length; k++) {
+            const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
+            real normal[4], f = real_load(row.weight + (size_t)k * PARTICLE_BLOCK);
+            records_load(t->normal, index, normal);
+            f = tension_volume(t->fluid, own, index, f) * normal[3];
+            sum = real_fma(f, lookup_load(t->pressure, index), sum);
+            weight = weight + f;
+        }
+        real_store(out[0], sum);
+        real_store(out[1], weight);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++)
+            jump_store(w, i + l, out[0][l], out[1][l]);
+    }
+}
+
 /* The right-hand side, from sums F (u_i - u_j) x, sum F p_j, the largest F |u_ij|^2, and sums
  * F (u_i - u_j). */
 static inline void flow_store(const struct pair_work *w, size_t k, const float sum[14])
@@ -283,10 +319,10 @@ static inline void slopes_store(const struct pair_work *w, size_t k, const float
         d[a] = half * settled(sum[a]);
     for (int a = 0; a < 3; a++)
         beyond[a] = t->before > 0 ? v->velocity[a] * (2 * rest / t->before) : 0;
-    projection_gradient(s, lighter, t->trial[k].pressure, d, beyond, gradient[0]);
+    projection_gradient(s, lighter, t->trial[k].pressure - s->jump, d, beyond, gradient[0]);
     for (int a = 0; a < 3; a++)
         beyond[a] = rest * rate->acceleration[a];
-    projection_gradient(s, lighter, t->trial[k].mean, d + 3, beyond, gradient[1]);
+    projection_gradient(s, lighter, t->trial[k].mean - s->jump, d + 3, beyond, gradient[1]);
     projection_gradient(s, lighter, t->trial[k].shift, d + 6, none, gradient[2]);
     projection_lift(t->each, gradient[2], s->crowd);
     float violent = t->violent[k], part;

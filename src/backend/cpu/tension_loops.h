@@ -89,8 +89,13 @@ static void tension_blocks(const struct pair_work *w, size_t first_block, size_t
         tension_row(w, &point, i, self, sum);
         real_store(out[0], sum[0]);
         real_store(out[1], sum[1]);
-        for (size_t l = 0; l < LANES && i + l < w->count; l++)
-            tension_rate(t->constants, w->fluid ? w->fluid[i + l] : 0, &t->normal[i + l],
-                         settled(out[0][l]), settled(out[1][l]), &w->rate[i + l]);
+        for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+            const int f = solve_fluid(w, i + l);
+            float curvature = tension_curvature(t->constants, settled(out[0][l]), settled(out[1][l]));
+            if (t->pressure)
+                t->pressure[i + l] = tension_pressure(t->constants, f, curvature);
+            else
+                tension_rate(t->constants, f, &t->normal[i + l], curvature, &w->rate[i + l]);
+        }
     }
 }
