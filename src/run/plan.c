@@ -200,8 +200,8 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
                          plan->solver->variant.name);
     if (trial.choice.shifting &&
         (!trial.choice.continuity || trial.choice.flags & PAIR_SYMMETRIC))
-        return error_set(e, STATUS_USAGE, "%s: solver.shifting needs solver.density continuity and "
-                         "solver.pressure_form average; set it to off", plan->scene->source);
+        return scene_fail(plan->scene, "solver.shifting", e, "solver.shifting needs solver.density "
+                          "continuity and solver.pressure_form average; set it to off");
     plan_passes(&trial);
     plan_color(&trial, options);
     plan_fields(&trial);
