@@ -7,21 +7,16 @@
  * nothing. What i gives j takes: sum V_i drho_i/dt = 0. Where neighbours lie nearly in a plane or a line
  * g fades to 0. Only neighbours of the same rest density count. Density is kept as c^2 (rho - rho0), Pa,
  * so that the constants are those of the form by pressure (solver/pair.h). In the common subset of C and
- * CUDA. */
+ * CUDA; the sums and M^-1 are in solver/pair_diffusion.h. */
 #ifndef SOLVER_DIFFUSION_H
 #define SOLVER_DIFFUSION_H
 
 #include "solver/explicit.h"
 
-/* What the force pass reads of a particle and its neighbours. */
+/* What the diffusion pass reads of a particle and its neighbours. */
 struct gradient {
     float along[3]; /* h c^2 grad rho, Pa */
     float excess;   /* c^2 (rho - rho0), Pa */
-};
-
-struct gradient_sums {
-    float xx, xy, xz, yy, yz, zz; /* of V_j W'/r x x^T */
-    float x, y, z;                /* of V_j W'/r (rho_i - rho_j) x */
 };
 
 /* 27 det M / (trace M)^3, 1 where neighbours lie evenly: g is 0 below the one, whole above the other. */
@@ -32,24 +27,6 @@ struct gradient_sums {
 static inline float gradient_stiffness(const struct explicit_constants *c, int fluid)
 {
     return (c->tait ? 7 : 1) * c->bulk[fluid] / c->rest_density[fluid];
-}
-
-static inline struct gradient gradient_solve(const struct explicit_constants *c, int fluid,
-                                             float density, struct gradient_sums s)
-{
-    float trace = s.xx + s.yy + s.zz, scale = trace < -1e-12f ? 1 / trace : 0;
-    float xx = s.xx * scale, xy = s.xy * scale, xz = s.xz * scale;
-    float yy = s.yy * scale, yz = s.yz * scale, zz = s.zz * scale;
-    float ax = yy * zz - yz * yz, ay = xz * yz - xy * zz, az = xy * yz - xz * yy; /* adjugate */
-    float by = xx * zz - xz * xz, bz = xy * xz - xx * yz, cz = xx * yy - xy * xy;
-    float det = xx * ax + xy * ay + xz * az, stiffness = gradient_stiffness(c, fluid);
-    float part = (27 * det - GRADIENT_FLAT) / (GRADIENT_ROUND - GRADIENT_FLAT);
-    part = part > 1 ? 1 : part;
-    float front = part > 0 ? part * stiffness * scale / det : 0;
-    return (struct gradient){{front * (ax * s.x + ay * s.y + az * s.z),
-                              front * (ay * s.x + by * s.y + bz * s.z),
-                              front * (az * s.x + bz * s.y + cz * s.z)},
-                             stiffness * (density - c->rest_density[fluid])};
 }
 
 #endif

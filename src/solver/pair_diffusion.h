@@ -2,6 +2,7 @@
 #ifndef SOLVER_PAIR_DIFFUSION_H
 #define SOLVER_PAIR_DIFFUSION_H
 
+#include "solver/diffusion.h"
 #include "solver/pair.h"
 
 struct pair_gradients {
@@ -24,6 +25,25 @@ static inline __attribute__((always_inline)) void pair_gradient(struct pair_grad
     s->x = real_fma(share, p->x, s->x);
     s->y = real_fma(share, p->y, s->y);
     s->z = real_fma(share, p->z, s->z);
+}
+
+/* g h by the adjugate of M / trace M; `stiffness` is c^2. */
+static inline __attribute__((always_inline)) void pair_gradient_solve(real g[3],
+                              const struct pair_gradients *s, real stiffness)
+{
+    real zero = real_set(0), one = real_set(1), size = zero - (s->xx + s->yy + s->zz);
+    real scale = real_set(-1) / pair_either(size, real_set(1e-12f));
+    real xx = s->xx * scale, xy = s->xy * scale, xz = s->xz * scale;
+    real yy = s->yy * scale, yz = s->yz * scale, zz = s->zz * scale;
+    real ax = yy * zz - yz * yz, ay = xz * yz - xy * zz, az = xy * yz - xz * yy;
+    real by = xx * zz - xz * xz, bz = xy * xz - xx * yz, cz = xx * yy - xy * xy;
+    real det = real_fma(xz, az, real_fma(xy, ay, xx * ax)), flat = real_set(GRADIENT_FLAT / 27);
+    real part = (det - flat) * real_set(27 / (GRADIENT_ROUND - GRADIENT_FLAT));
+    part = one - real_positive(one - real_positive(part));
+    real front = part * stiffness * scale / pair_either(det, flat);
+    g[0] = front * real_fma(az, s->z, real_fma(ay, s->y, ax * s->x));
+    g[1] = front * real_fma(bz, s->z, real_fma(by, s->y, ay * s->x));
+    g[2] = front * real_fma(cz, s->z, real_fma(bz, s->y, az * s->x));
 }
 
 /* sum of V_j W'/r ((e_i - e_j) - (g_i + g_j).x_ij / 2); i and j are struct gradient. */

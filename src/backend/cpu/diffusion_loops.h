@@ -18,18 +18,21 @@ FORCE_INLINE real diffusion_pair(const struct pair_work *w, const struct lane_po
 
 FORCE_INLINE void gradient_store(const struct pair_work *w, size_t i, const struct pair_gradients *s)
 {
-    const struct diffusion_work *t = w->diffusion;
-    const real sums[9] = {s->xx, s->xy, s->xz, s->yy, s->yz, s->zz, s->x, s->y, s->z};
-    float out[9][LANES];
-    for (int k = 0; k < 9; k++)
-        real_store(out[k], sums[k]);
-    for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-        struct gradient_sums sum = {settled(out[0][l]), settled(out[1][l]), settled(out[2][l]),
-                                    settled(out[3][l]), settled(out[4][l]), settled(out[5][l]),
-                                    settled(out[6][l]), settled(out[7][l]), settled(out[8][l])};
-        t->gradient[i + l] = gradient_solve(t->each, w->fluid ? w->fluid[i + l] : 0,
-                                            w->density[i + l], sum);
+    const struct explicit_constants *each = w->diffusion->each;
+    float stiffness[LANES], rest[LANES], out[3][LANES];
+    real g[3];
+    for (size_t l = 0; l < LANES; l++) {
+        int fluid = w->fluid ? w->fluid[i + l] : 0;
+        stiffness[l] = gradient_stiffness(each, fluid);
+        rest[l] = each->rest_density[fluid];
     }
+    pair_gradient_solve(g, s, real_load(stiffness));
+    for (int a = 0; a < 3; a++)
+        real_store(out[a], g[a]);
+    for (size_t l = 0; l < LANES && i + l < w->count; l++)
+        w->diffusion->gradient[i + l] = (struct gradient){
+            {settled(out[0][l]), settled(out[1][l]), settled(out[2][l])},
+            stiffness[l] * (w->density[i + l] - rest[l])};
 }
 
 FORCE_INLINE void gradient_blocks(const struct pair_work *w, size_t first_block, size_t last_block,
