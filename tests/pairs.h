@@ -33,6 +33,7 @@ struct cloud {
     float *fringe; /* 1 of every third particle */
     struct rows rows, wall_rows;
     struct pair_constants constants;
+    struct explicit_constants each; /* of diffusion */
     float rest_density[CLOUD_FLUIDS];
     double spacing; /* d */
 };
@@ -117,6 +118,10 @@ static inline void cloud_constants(struct cloud *c)
     c->constants.gradient = c->constants.density = (float)(0.4 * d * d * d);
     c->rest_density[0] = 1000;
     c->rest_density[1] = 800;
+    for (int f = 0; f < CLOUD_FLUIDS; f++) {
+        c->each.rest_density[f] = c->rest_density[f];
+        c->each.bulk[f] = 1e5f;
+    }
 }
 
 /* The rows of all particles, as `isa` builds them. */
@@ -193,7 +198,9 @@ static inline void cloud_run(struct cloud *c, pair_function *pass)
     struct particles *p = &c->particles;
     for (size_t i = 0; i < c->count; i++)
         c->rest[i] = c->rest_density[particles_fluid(p, i)];
+    struct diffusion_work diffusion = {&c->each, p->now[FIELD_GRADIENT]};
     struct pair_work work = {.constants = c->constants,
+                             .diffusion = &diffusion,
                              .rest = c->rest,
                              .fringe = c->fringe,
                              .position = particles_position(p),

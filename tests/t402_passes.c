@@ -89,6 +89,37 @@ static void check_density(struct cloud *c)
     }
 }
 
+/* Runs both passes of diffusion by gradients, on rates that are set. */
+static void run_diffusion(struct cloud *c, const struct isa_row *isa, unsigned flags)
+{
+    struct rate *rate = particles_rate(&c->particles);
+    memset(c->particles.now[FIELD_GRADIENT], 0xff, c->count * sizeof(struct gradient));
+    for (size_t i = 0; i < c->count; i++)
+        rate[i] = (struct rate){{1, 2, 3}, (float)i};
+    cloud_run(c, isa->find(PAIR_PASS_GRADIENT, flags, false));
+    cloud_run(c, isa->find(PAIR_PASS_DIFFUSION, flags, false));
+}
+
+static void check_diffusion(struct cloud *c)
+{
+    static const unsigned kernels[] = {0, 1, PAIR_MIXED, PAIR_MIXED | 1};
+    static struct gradient gradient[200];
+    static struct rate rate[200];
+    for (size_t f = 0; f < sizeof kernels / sizeof *kernels; f++) {
+        run_diffusion(c, &isa_scalar, kernels[f]);
+        memcpy(gradient, c->particles.now[FIELD_GRADIENT], c->count * sizeof *gradient);
+        memcpy(rate, particles_rate(&c->particles), c->count * sizeof *rate);
+        for (size_t i = 0; i < c->count; i++)
+            assert_true(isfinite(rate[i].density));
+        for (size_t k = 0; k < isa_count; k++) {
+            run_diffusion(c, isas[k], kernels[f]);
+            if (memcmp(gradient, c->particles.now[FIELD_GRADIENT], c->count * sizeof *gradient) != 0 ||
+                memcmp(rate, particles_rate(&c->particles), c->count * sizeof *rate) != 0)
+                fail_msg("diffusion of %s, flags %u differs", isas[k]->variant.name, kernels[f]);
+        }
+    }
+}
+
 static void check_force_bits(struct cloud *c, unsigned flags, bool walls)
 {
     static struct rate scalar[200];
@@ -154,6 +185,12 @@ static void force_equals_scalar(void **state)
     for_each_cloud(check_force);
 }
 
+static void diffusion_equals_scalar(void **state)
+{
+    (void)state;
+    for_each_cloud(check_diffusion);
+}
+
 /* Every combination that wcsph and muller can choose has a pass, in every instruction set. */
 static void passes_exist(void **state)
 {
@@ -186,7 +223,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(passes_exist),          cmocka_unit_test(rows_equal_scalar),
         cmocka_unit_test(rows_are_complete),     cmocka_unit_test(density_equals_scalar),
-        cmocka_unit_test(force_equals_scalar),
+        cmocka_unit_test(force_equals_scalar),   cmocka_unit_test(diffusion_equals_scalar),
     };
     omp_set_num_threads(1); /* the clouds are small */
     for (size_t i = 0; i < isa_table.count; i++) {

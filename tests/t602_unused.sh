@@ -51,12 +51,25 @@ plan -o null --set domain.walls.-y=particles
 has "wall particles" "wall particles are planned where they are used"
 lacks "wall particles: no face" "and not left out"
 
+plan -o null --set solver.diffusion=0.1
+has "passes gradient, diffusion: force adds" "Fourtakas's diffusion needs no passes"
+lacks " gradient 16" "and no memory for gradients"
+plan -o null --set solver.diffusion=0.1 --set solver.diffusion_form=antuono
+grep -q ' gradient    pair' "$work/plan" && grep -q ' diffusion   pair' "$work/plan"
+result $? "Antuono's has two"
+has " gradient 16" "and memory"
+plan -o null --set solver.diffusion_form=antuono
+has "term density diffusion" "but not where diffusion is 0"
+lacks " gradient 16" "nor memory"
+
 run_report -o null
 result $? "a run without output"
 jq -e '.bytes.position > 0 and .bytes.motion > 0' "$work/report.json" >/dev/null
 result $? "fields are labelled in the report"
 [ "$(bytes fluid)$(bytes viscosity)" = 00 ]
 result $? "no memory for fluid and viscosity"
+[ "$(bytes gradient)" = 0 ] && jq -e '.seconds | has("gradient") | not' "$work/report.json" >/dev/null
+result $? "no memory and no time for density gradients"
 [ "$(bytes 'kernel sums')" = 0 ]
 result $? "no memory for sums of continuity"
 jq -e '.wall_particles == 0 and (.seconds | has("density") | not)' \

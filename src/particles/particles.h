@@ -44,6 +44,7 @@ enum field {
     FIELD_TRIAL,     /* struct trial: what gradients are taken of */
     FIELD_DIRECTION, /* float: search direction of conjugate gradients */
     FIELD_PRODUCT,   /* float: the matrix times it */
+    FIELD_GRADIENT,  /* struct gradient (solver/diffusion.h) */
     FIELD_COUNT
 };
 

@@ -35,6 +35,12 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
             omit(plan, viscous ? "pass force: viscosity and pressure are solved for"
                                : "pass force: no viscosity, and pressure is solved for");
         return !c->is_implicit || applied;
+    case PASS_GRADIENT:
+        if (c->flags & PAIR_DIFFUSION)
+            omit(plan, "passes gradient, diffusion: force adds Fourtakas's form of diffusion");
+        return c->gradients;
+    case PASS_DIFFUSION:
+        return c->gradients;
     case PASS_NORMALS:
         if (!c->tension.any)
             omit(plan, "passes of surface tension: every fluid has surface tension 0");
@@ -137,7 +143,7 @@ static void omit_terms(struct plan *plan)
         omit(plan, "term viscosity: every fluid has viscosity 0");
     if (!(flags & PAIR_ARTIFICIAL))
         omit(plan, "term artificial viscosity: not asked for");
-    if (!(flags & PAIR_DIFFUSION))
+    if (!(flags & PAIR_DIFFUSION) && !plan->choice.gradients)
         omit(plan, "term density diffusion: not asked for, or density by summation");
     if (!plan->choice.wall_particles)
         omit(plan, "wall particles: no face is made of particles");
@@ -188,6 +194,31 @@ static enum status check_periods(const struct plan *plan, struct error *e)
     return STATUS_OK;
 }
 
+/* Refuses what the solver cannot do together. */
+static enum status check_choice(const struct plan *plan, const struct solver_choice *c,
+                                struct error *e)
+{
+    const struct scene *scene = plan->scene;
+    bool antuono = strcmp(scene_text(scene, "solver.diffusion_form"), "antuono") == 0;
+    bool symmetric = c->flags & PAIR_SYMMETRIC;
+    if (c->is_implicit && !c->projects && c->tension.any) /* drops scatter, as measured */
+        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use isph, "
+                         "or set fluids[].surface_tension to 0", scene->source,
+                         plan->solver->variant.name);
+    if (c->shifting && (!c->continuity || symmetric))
+        return scene_fail(scene, "solver.shifting", e, "solver.shifting needs solver.density "
+                          "continuity and solver.pressure_form average; set it to off");
+    if (antuono && !c->continuity)
+        return scene_fail(scene, "solver.diffusion_form", e, "solver.diffusion_form antuono needs "
+                          "solver.density continuity: by summation nothing diffuses; remove one of "
+                          "the two");
+    if (antuono && c->mixed && symmetric)
+        return scene_fail(scene, "solver.diffusion_form", e, "solver.diffusion_form antuono needs "
+                          "solver.pressure_form average where fluids differ in density; remove one "
+                          "of the two");
+    return STATUS_OK;
+}
+
 /* What particles will take, by a plan made as if there were none. */
 static enum status plan_budget(const struct plan *plan, const struct run_options *options,
                                struct error *e)
@@ -196,14 +227,8 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     static const size_t particles[FLUIDS_MAX];
     struct plan trial = *plan;
     solver_choose(plan->solver, plan->scene, &plan->space, volume, particles, &trial.choice);
-    if (trial.choice.is_implicit && !trial.choice.projects && trial.choice.tension.any) /* drops scatter, as measured */
-        return error_set(e, STATUS_USAGE, "%s: solver.method %s has no surface tension; use isph, "
-                         "or set fluids[].surface_tension to 0", plan->scene->source,
-                         plan->solver->variant.name);
-    if (trial.choice.shifting &&
-        (!trial.choice.continuity || trial.choice.flags & PAIR_SYMMETRIC))
-        return error_set(e, STATUS_USAGE, "%s: solver.shifting needs solver.density continuity and "
-                         "solver.pressure_form average; set it to off", plan->scene->source);
+    if (check_choice(plan, &trial.choice, e))
+        return e->status;
     plan_passes(&trial);
     plan_color(&trial, options);
     plan_fields(&trial);

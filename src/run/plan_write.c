@@ -87,8 +87,8 @@ static void write_terms(const struct solver_choice *c, FILE *out)
         fputs(", artificial viscosity", out);
     if (c->flags & PAIR_CONTINUITY)
         fputs(", continuity", out);
-    if (c->flags & PAIR_DIFFUSION)
-        fputs(", density diffusion", out);
+    if (c->flags & PAIR_DIFFUSION || c->gradients)
+        fprintf(out, ", density diffusion (%s)", c->gradients ? "Antuono" : "Fourtakas");
     if (c->shifting)
         fputs(", particle shifting", out);
     if (c->tension.any)

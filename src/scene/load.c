@@ -7,6 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* In the text; the beginning of the file when the place is not said. */
+static int place_offset(const struct load *load, struct place place)
+{
+    const struct json *doc = place.doc ? place.doc : &load->file;
+    const struct json_node *node = doc->nodes ? &doc->nodes[place.doc ? place.node : 0] : NULL;
+    return node ? node->start - (node->kind == JSON_STRING) : 0;
+}
+
 enum status load_fail(struct load *load, struct place place, const char *format, ...)
 {
     char text[1500];
@@ -14,10 +22,8 @@ enum status load_fail(struct load *load, struct place place, const char *format,
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    const struct json *doc = place.doc ? place.doc : &load->file;
-    const struct json_node *node = doc->nodes ? &doc->nodes[place.doc ? place.node : 0] : NULL;
-    int offset = node ? node->start - (node->kind == JSON_STRING) : 0;
-    return json_fail(doc, offset, load->e, "%s", text);
+    return json_fail(place.doc ? place.doc : &load->file, place_offset(load, place), load->e, "%s",
+                     text);
 }
 
 /* The object in the file that holds, or should hold, the key. */
@@ -205,6 +211,9 @@ static enum status fill_options(struct load *load)
         struct scene_option *option = &scene->options[scene->option_count++];
         snprintf(option->path, sizeof option->path, "%s", key->path);
         option->type = key->type;
+        if (load->said[i].doc == &load->file)
+            json_position(&load->file, place_offset(load, load->said[i]), &option->line,
+                          &option->column);
         enum status status = fill_value(load, key, key->path, load->said[i],
                                         holder(load, key->path), &option->value);
         if (status)

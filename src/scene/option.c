@@ -1,7 +1,9 @@
-/* Reads variants' own keys out of a scene by path. */
+/* Reads variants' own keys out of a scene by path, and says where one does not fit. */
 #include "scene/scene.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 static const struct scene_option *option_find(const struct scene *scene, const char *path)
@@ -40,4 +42,19 @@ const double *scene_vector(const struct scene *scene, const char *path)
 {
     const struct scene_option *option = option_find(scene, path);
     return option ? option->value.vector : NULL;
+}
+
+enum status scene_fail(const struct scene *scene, const char *path, struct error *e,
+                       const char *format, ...)
+{
+    const struct scene_option *option = option_find(scene, path);
+    char text[1500];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (!option || !option->line)
+        return error_set(e, STATUS_USAGE, "%.400s: %s", scene->source, text);
+    return error_set(e, STATUS_USAGE, "%.400s:%d:%d: %s", scene->source, option->line,
+                     option->column, text);
 }

@@ -69,6 +69,7 @@ struct scene_measure {
 
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
+    int line, column;      /* of its value in the file; 0: not said there */
     enum key_type type;
     union {
         bool flag;
@@ -173,6 +174,10 @@ const char *scene_text(const struct scene *scene, const char *path);
 /* The same for KEY_INT (0 when absent) and KEY_VEC3 or KEY_PAIR (NULL when absent). */
 int64_t scene_integer(const struct scene *scene, const char *path);
 const double *scene_vector(const struct scene *scene, const char *path);
+
+/* Records "FILE:LINE:COL: message" where the file says the option, else "FILE: message". STATUS_USAGE. */
+enum status scene_fail(const struct scene *scene, const char *path, struct error *e,
+                       const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 /* Writes every key with its value in force, as a scene file that loads to the same scene. */
 void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);

@@ -69,11 +69,10 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
         scene_real(scene, "solver.divergence_error"), 0, most, 1, 0};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){
         scene_real(scene, "solver.density_error"), 0, most, 1, 0};
+    choice->limits.viscous *= 0.6; /* for accuracy: start-up of channel flow; and PAIR_CENTRAL */
     viscosity_choose(scene, choice);
-    if (!choice->enclosed && choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)) {
+    if (!choice->enclosed && choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         choice->flags |= PAIR_CENTRAL; /* stiffer by 5/3 for compression, which pressure undoes */
-        choice->limits.viscous *= 0.6;
-    }
 }
 
 const struct solver_row solver_isph = {

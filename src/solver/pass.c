@@ -23,6 +23,7 @@ enum {
     TRIAL = FIELD_BIT(FIELD_TRIAL),
     DIRECTION = FIELD_BIT(FIELD_DIRECTION),
     PRODUCT = FIELD_BIT(FIELD_PRODUCT),
+    GRADIENT = FIELD_BIT(FIELD_GRADIENT),
 };
 
 const struct pass_row pass_table[PASS_COUNT] = {
@@ -37,6 +38,10 @@ const struct pass_row pass_table[PASS_COUNT] = {
                        POSITION | DENSITY, POSITION | MOTION | DENSITY},
     [PASS_FORCE] = {PASS_FORCE, PASS_PAIR, "force", "acceleration and density rate",
                     POSITION | MOTION | DENSITY, RATE},
+    [PASS_GRADIENT] = {PASS_GRADIENT, PASS_PAIR, "gradient", "renormalised density gradients",
+                       POSITION | DENSITY, GRADIENT},
+    [PASS_DIFFUSION] = {PASS_DIFFUSION, PASS_PAIR, "diffusion", "density diffusion but for gradients",
+                        POSITION | GRADIENT, RATE},
     [PASS_NORMALS] = {PASS_NORMALS, PASS_PAIR, "normals", "normals of each fluid's surface",
                       POSITION, NORMAL},
     [PASS_EXTERNAL] = {PASS_EXTERNAL, PASS_EACH, "external",

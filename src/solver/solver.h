@@ -53,6 +53,7 @@ struct solver_choice {
     bool mixed;              /* rest densities of fluids differ */
     float softness[FLUIDS_MAX]; /* c0 / speed of sound of each fluid, of wcsph */
     bool continuity;         /* density by continuity equation */
+    bool gradients;          /* density diffuses but for its gradients (solver/diffusion.h) */
     bool shifting;           /* particles drift towards emptier places */
     float closeness;         /* 1 / w(d), of shifting */
     bool wall_planes, wall_particles;

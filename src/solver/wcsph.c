@@ -1,4 +1,4 @@
-/* Weakly compressible SPH (Monaghan 1994; delta-SPH: Antuono et al. 2012, Fourtakas et al. 2019). */
+/* Weakly compressible SPH (Monaghan 1994; delta-SPH: Antuono et al. 2010, Fourtakas et al. 2019). */
 #include "scene/key.h"
 #include "solver/solver.h"
 
@@ -18,6 +18,9 @@ static const struct key keys[] = {
     {.path = "solver.diffusion", .type = KEY_REAL, .fallback = "0.1", .min = 0, .max = 1,
      .unit = "", .offset = KEY_OPTION,
      .doc = "delta of delta-SPH density diffusion (continuity only)"},
+    {.path = "solver.diffusion_form", .type = KEY_CHOICE, .fallback = "\"fourtakas\"",
+     .choices = "fourtakas|antuono", .unit = "", .offset = KEY_OPTION,
+     .doc = "what diffuses: pressure but for the hydrostatic, or density but for its gradient"},
     {.path = "solver.artificial_viscosity", .type = KEY_REAL, .fallback = "0.02", .min = 0,
      .max = 10, .unit = "", .offset = KEY_OPTION,
      .doc = "alpha of Monaghan's artificial viscosity, on approaching pairs"},
@@ -32,8 +35,9 @@ static const struct key keys[] = {
 };
 
 static const enum pass_id passes[] = {
-    PASS_SORT,     PASS_NEIGHBOURS, PASS_PREDICT, PASS_DENSITY, PASS_PRESSURE, PASS_FORCE,
-    PASS_EXTERNAL, PASS_NORMALS,    PASS_TENSION, PASS_WALLS,   PASS_SHIFT,    PASS_CORRECT,
+    PASS_SORT,     PASS_NEIGHBOURS, PASS_PREDICT,  PASS_DENSITY, PASS_PRESSURE, PASS_FORCE,
+    PASS_GRADIENT, PASS_DIFFUSION,  PASS_EXTERNAL, PASS_NORMALS, PASS_TENSION,  PASS_WALLS,
+    PASS_SHIFT,    PASS_CORRECT,
 };
 
 /* A free surface or a wall keeps particles apart by pressure: shifting is no gain there. */
@@ -79,8 +83,10 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
         densest = fmax(densest, scene->fluids[f].density);
     }
     choose_bulk(scene, densest, choice);
+    bool antuono = strcmp(scene_text(scene, "solver.diffusion_form"), "antuono") == 0;
+    choice->gradients = choice->continuity && delta > 0 && antuono;
     if (choice->continuity)
-        choice->flags |= PAIR_CONTINUITY | (delta > 0 ? PAIR_DIFFUSION : 0);
+        choice->flags |= PAIR_CONTINUITY | (delta > 0 && !antuono ? PAIR_DIFFUSION : 0);
     if (alpha > 0 || choice->ripple > 0)
         choice->flags |= PAIR_ARTIFICIAL;
     if (strcmp(scene_text(scene, "solver.pressure_form"), "symmetric") == 0)

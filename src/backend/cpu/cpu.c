@@ -233,6 +233,8 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_DENSITY: cpu_pairs(b, b->density); break;
     case PASS_PRESSURE: cpu_pressure(b); break;
     case PASS_FORCE: cpu_pairs(b, b->force); break;
+    case PASS_GRADIENT: cpu_diffusion(b, PAIR_PASS_GRADIENT); break;
+    case PASS_DIFFUSION: cpu_diffusion(b, PAIR_PASS_DIFFUSION); break;
     case PASS_EXTERNAL: cpu_external(b, step); break;
     case PASS_NORMALS: cpu_tension(b, PAIR_PASS_NORMALS, NULL); break;
     case PASS_TENSION: cpu_tension(b, PAIR_PASS_TENSION, NULL); break;

@@ -61,6 +61,9 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass);
 /* Adds to the rate, or begins it with gravity. */
 void cpu_external(struct backend *b, const struct step *step);
 
+/* The pair passes of density diffusion by gradients. */
+void cpu_diffusion(struct backend *b, enum pair_pass pass);
+
 /* The pair passes of surface tension. */
 struct tension_work cpu_tension_work(const struct backend *b, float *pressure);
 void cpu_tension(struct backend *b, enum pair_pass pass, float *pressure);

@@ -5,6 +5,7 @@
 #include "base/variant.h"
 #include "grid/search.h"
 #include "particles/particles.h"
+#include "solver/diffusion.h"
 #include "solver/implicit.h"
 #include "solver/pair_constants.h"
 #include "solver/projection.h"
@@ -72,6 +73,12 @@ struct shift_work {
     float closeness;      /* 1 / w(d) */
 };
 
+/* What the passes of density diffusion by gradients read and write besides. */
+struct diffusion_work {
+    const struct explicit_constants *each;
+    struct gradient *gradient;
+};
+
 /* What the passes of surface tension read and write besides. */
 struct tension_work {
     const struct explicit_constants *each;
@@ -118,6 +125,7 @@ struct pair_work {
     const uint32_t *wall_row_count;
     size_t count;
     const struct solve_work *solve;      /* of the implicit solver's passes, or NULL */
+    const struct diffusion_work *diffusion; /* of the passes of diffusion by gradients, or NULL */
     const struct shift_work *shifting;   /* of the shifting pass, or NULL */
     const struct projection_work *projection; /* of the projection solver's passes, or NULL */
     const struct tension_work *tension;  /* of the passes of surface tension, or NULL */
@@ -128,6 +136,8 @@ typedef void pair_function(const struct pair_work *work, size_t first_block, siz
 enum pair_pass {
     PAIR_PASS_DENSITY,
     PAIR_PASS_FORCE,
+    PAIR_PASS_GRADIENT,  /* writes diffusion->gradient */
+    PAIR_PASS_DIFFUSION, /* adds to rate */
     PAIR_PASS_SHIFT,   /* writes shifting->now, surface_now */
     PAIR_PASS_NORMALS, /* writes tension->normal */
     PAIR_PASS_TENSION, /* adds to rate, or writes tension->pressure */

@@ -271,6 +271,7 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
     density_blocks(w, first, last, PAIR_MULLER);
 }
 
+#include "backend/cpu/diffusion_loops.h"
 #include "backend/cpu/solve_loops.h"
 #include "backend/cpu/drag_loops.h"
 #include "backend/cpu/shift_loops.h"
@@ -291,6 +292,8 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_SWEEP: return cubic ? sweep_cubic : sweep_wendland;
     case PAIR_PASS_DRAG_DIAGONAL: return cubic ? drag_diagonal_cubic : drag_diagonal_wendland;
     case PAIR_PASS_DRAG: return cubic ? drag_cubic : drag_wendland;
+    case PAIR_PASS_GRADIENT:
+    case PAIR_PASS_DIFFUSION: return diffusion_find(pass, flags);
     case PAIR_PASS_SHIFT: return cubic ? shift_cubic : shift_wendland;
     case PAIR_PASS_STENCIL: return cubic ? stencil_cubic : stencil_wendland;
     case PAIR_PASS_SURFACE: return surface_blocks;

@@ -162,6 +162,15 @@ void cpu_pairs(struct backend *b, pair_function *pass)
     cpu_pair_blocks(b, &work, pass);
 }
 
+void cpu_diffusion(struct backend *b, enum pair_pass pass)
+{
+    struct diffusion_work diffusion = {.each = &b->choice.each,
+                                       .gradient = b->particles.now[FIELD_GRADIENT]};
+    struct pair_work work = cpu_pair_work(b);
+    work.diffusion = &diffusion;
+    cpu_pair_blocks(b, &work, b->isa->find(pass, b->choice.flags, false));
+}
+
 void cpu_shift(struct backend *b)
 {
     const struct particles *p = &b->particles;
