@@ -23,10 +23,10 @@ static void write_fields(unsigned mask, FILE *out)
 /* How an implicit solver treats viscosity, and why. */
 static void write_viscosity(const struct solver_choice *c, FILE *out)
 {
-    bool below = c->viscous_step < c->other_step;
-    fprintf(out, "viscosity      %s: explicit steps could be %.4g s, %s the %.4g s of other limits%s",
+    bool below = VISCOSITY_STEPS * c->viscous_step < c->other_step;
+    fprintf(out, "viscosity      %s: explicit steps could be %.4g s, %s 1/%d of the %.4g s of other limits%s",
             c->implicit_viscosity ? "implicit" : "explicit", c->viscous_step,
-            below ? "below" : "not below", c->other_step,
+            below ? "below" : "not below", VISCOSITY_STEPS, c->other_step,
             below == c->implicit_viscosity ? "" : ", but the scene says so");
     if (c->implicit_viscosity)
         fprintf(out, "; to a residual of %g, at most %d iterations",

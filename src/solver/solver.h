@@ -114,6 +114,7 @@ void viscosity_choose(const struct scene *scene, struct solver_choice *choice);
 
 /* The part that optional accelerations have in it; each also bounds the step and raises the
  * expected speed. */
+enum { VISCOSITY_STEPS = 8 }; /* that explicit viscosity may take for one of an implicit solver */
 void tension_choose(const struct scene *scene, struct solver_choice *choice);
 void external_choose(const struct scene *scene, const struct space *space,
                      const double *fluid_volume, struct solver_choice *choice);

@@ -7,8 +7,10 @@
 
 enum { DRAG_ITERATIONS_MAX = 200 };
 
-/* Viscosity is solved for where explicit steps would be the shortest: below those in which the
- * fastest expected flow moves a particle by cfl 0.4 d and gravity lets it fall d / 200. */
+/* Viscosity is solved for where explicit steps would be VISCOSITY_STEPS times shorter than those in which
+ * the fastest expected flow moves a particle by cfl 0.4 d and gravity lets it fall d / 200. Up to that,
+ * explicit steps cost no more than twice as much and are of second order: the start of channel flow at
+ * H/d = 20 was wrong by 0.7 % instead of 1.9 %. */
 void viscosity_choose(const struct scene *scene, struct solver_choice *choice)
 {
     const char *asked = scene_text(scene, "solver.viscosity");
@@ -22,7 +24,7 @@ void viscosity_choose(const struct scene *scene, struct solver_choice *choice)
         return;
     choice->flags |= PAIR_DRAG_ONLY;
     choice->implicit_viscosity = strcmp(asked, "implicit") == 0 ||
-        (strcmp(asked, "auto") == 0 && choice->viscous_step < choice->other_step);
+        (strcmp(asked, "auto") == 0 && VISCOSITY_STEPS * choice->viscous_step < choice->other_step);
     if (choice->implicit_viscosity)
         choice->limits.viscous = INFINITY;
     choice->solves[SOLVE_VISCOSITY] = (struct solve_limits){
