@@ -2,8 +2,9 @@
 // Meets the ray through this pixel with the sphere and shades the point of entry.
 uniform float radius;
 uniform float far;      // distance at depth 1
-uniform vec3 key_light; // unit vectors in camera axes
-uniform vec3 sky;
+uniform vec3 key_light; // unit vector in camera axes
+uniform vec4 material;  // base, sky, diffuse, facing: src/render/look.h
+uniform float shine;
 
 flat in vec3 center;
 flat in vec3 color;
@@ -24,15 +25,15 @@ void main()
         discard;
     gl_FragDepth = depth / far;
 
-    // Faces turned to the viewer and the light keep the colour of the colour bar; others darken.
     vec3 normal = from_center / radius, ray = point * sqrt(scale);
-    float ambient = 0.5 + 0.5 * dot(normal, sky);
+    float sky = 0.5 + 0.5 * normal.y;
     float diffuse = max(dot(normal, key_light), 0.0);
     float facing = max(-dot(normal, ray), 0.0);
-    float light = (0.44 + 0.20 * ambient + 0.52 * diffuse) * (0.62 + 0.38 * facing);
-    float shine = max(dot(reflect(ray, normal), key_light), 0.0);
-    shine *= shine;
-    shine *= shine;
-    shine *= shine; // to the power of 8, and below of 24
-    pixel = vec4(min(color * min(light, 1.0) + 0.10 * shine * shine * shine, vec3(1.0)), 1.0);
+    float light = (material.x + material.y * sky + material.z * diffuse) *
+                  (1.0 - material.w + material.w * facing);
+    float glance = max(dot(reflect(ray, normal), key_light), 0.0);
+    glance *= glance;
+    glance *= glance;
+    glance *= glance; // to the power of 8, and below of 24
+    pixel = vec4(min(color * min(light, 1.0) + shine * glance * glance * glance, vec3(1.0)), 1.0);
 }

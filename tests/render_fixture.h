@@ -29,7 +29,7 @@ static inline void fixture_scene(struct scene *scene, int width, int height)
 
 static inline struct render_setup fixture_setup(const struct scene *scene, const char *context)
 {
-    struct render_setup setup = {.scene = scene, .context = context, .radius = 0.01,
+    struct render_setup setup = {.scene = scene, .renderer = context, .radius = 0.01,
                                  .range = {0, 3}, .label = "speed", .unit = "m/s"};
     return setup;
 }

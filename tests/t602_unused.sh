@@ -90,7 +90,7 @@ libraries() {
 }
 libraries -o null && [ -s "$work/out" ] && ! grep -qE 'libEGL|libOSMesa|libGLX|libGL\.|swrast|gallium' "$work/out"
 result $? "no GL library is opened without drawing"
-if "$SPH" list contexts | grep -qE '^ *(egl|osmesa)'; then
+if "$SPH" list renderers | grep -qE '^ *(egl|osmesa)'; then
     libraries -o "$work/f-%04d.png" && grep -qE 'libEGL|libOSMesa' "$work/out"
     result $? "and one is for a picture"
 fi

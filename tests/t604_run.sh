@@ -59,7 +59,7 @@ interrupt() {
 interrupt null
 [ $rc = 130 ]
 result $? "SIGINT ends a run with 130 (got $rc)"
-if "$SPH" list encoders | grep -q mp4 && "$SPH" list contexts | grep -qE 'egl|osmesa'; then
+if "$SPH" list encoders | grep -q mp4 && "$SPH" list renderers | grep -qE 'egl|osmesa'; then
     interrupt "$work/film.mp4"
     [ $rc = 130 ] && [ -s "$work/film.mp4" ] && [ ! -e "$work/film.mp4.part" ]
     result $? "SIGINT finishes the film (got $rc)"

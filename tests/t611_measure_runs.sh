@@ -187,7 +187,7 @@ result $? "a killed run leaves whole rows in the .part file"
 run --solver wcsph --set solver.sound_speed=0.5 -o "$csv"
 [ $? = 1 ] && [ "$(tail -n +2 "$csv" | wc -l)" -ge 1 ]
 result $? "a run that is stopped keeps its rows"
-if "$SPH" list contexts | grep -qE '^ *(egl|osmesa)'; then
+if "$SPH" list renderers | grep -qE '^ *(egl|osmesa)'; then
     run -o "$csv" -o "$work/f-%03d.png" --set time.measure=0.03
     [ $? = 0 ] && [ "$(tail -n +2 "$csv" | wc -l)" = 11 ] && [ "$(ls "$work"/f-*.png | wc -l)" = 7 ]
     result $? "rows and pictures of one run, each at its times"

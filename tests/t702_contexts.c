@@ -31,7 +31,7 @@ static void draw_cloud(const char *context, struct image *image)
 
 static bool in_build(const char *context)
 {
-    const struct variant *row = variant_find(&render_contexts, context);
+    const struct variant *row = variant_find(&render_table, context);
     assert_non_null(row);
     if (row->missing)
         printf("# SKIP %s: %s\n", context, row->missing);
@@ -106,10 +106,10 @@ static void bad_requests(void **state)
     assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_BACKEND);
     assert_non_null(strstr(e.text, "vulkan"));
     assert_null(renderer);
-    setup.context = "auto";
+    setup.renderer = "auto";
     scene.movie.size[0] = 1000000;
     assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_BACKEND);
-    if (variant_first(&render_contexts))
+    if (variant_first(&render_table))
         assert_non_null(strstr(e.text, "1000000 x 48"));
     renderer_close(NULL);
 }
@@ -122,8 +122,8 @@ static void missing_rows(void **state)
     struct renderer *renderer;
     (void)state;
     fixture_scene(&scene, 64, 48);
-    for (size_t i = 0; i < render_contexts.count; i++) {
-        const struct variant *row = render_contexts.rows[i];
+    for (size_t i = 0; i < render_table.count; i++) {
+        const struct variant *row = render_table.rows[i];
         struct render_setup setup = fixture_setup(&scene, row->name);
         if (!row->missing)
             continue;

@@ -21,7 +21,7 @@ static bool draw(const struct scene *scene, const struct render_setup *setup,
     struct error e = {.text = ""};
     memset(image, 0, sizeof *image);
     (void)scene;
-    if (!variant_first(&render_contexts)) {
+    if (!variant_first(&render_table)) {
         printf("# SKIP no context in this build\n");
         return false;
     }

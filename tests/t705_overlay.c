@@ -24,7 +24,7 @@ static bool count_marks(enum part part, int width, int height, size_t marks[2][2
     scene.render.title = part == TITLE;
     scene.render.box = part == BOX;
     memset(marks, 0, 4 * sizeof marks[0][0]);
-    if (!variant_first(&render_contexts) || render_overlays.rows[0]->missing) {
+    if (!variant_first(&render_table) || render_overlays.rows[0]->missing) {
         printf("# SKIP no context or no cairo in this build\n");
         return false;
     }
@@ -87,7 +87,7 @@ static void any_range(void **state)
         struct renderer *renderer;
         struct error e;
         struct render_setup setup = fixture_setup(&scene, "auto");
-        if (!variant_first(&render_contexts))
+        if (!variant_first(&render_table))
             return;
         memcpy(setup.range, ranges[i], sizeof setup.range);
         setup.unit = i % 2 ? "" : NULL;

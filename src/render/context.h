@@ -1,12 +1,22 @@
-/* What a row of render_contexts offers: an OpenGL 3.3 core context without a window. */
+/* An OpenGL 3.3 core context without a window. */
 #ifndef RENDER_CONTEXT_H
 #define RENDER_CONTEXT_H
 
 #include "base/error.h"
-#include "base/variant.h"
+
+#if HAVE_EGL
+#define EGL_MISSING NULL
+#else
+#define EGL_MISSING "build with make EGL=1 (Debian packages libegl-dev and libgl-dev)"
+#endif
+#if HAVE_OSMESA
+#define OSMESA_MISSING NULL
+#else
+#define OSMESA_MISSING "build with make OSMESA=1 (Debian package libosmesa6-dev)"
+#endif
 
 struct gl_context_row {
-    struct variant variant;
+    const char *name;
     /* Makes a context, not yet current; STATUS_BACKEND says what was tried. */
     enum status (*open)(void **state, struct error *e);
     /* Makes it current on this thread, and releases it again: around every use, so that contexts

@@ -189,20 +189,16 @@ static void *egl_getproc(void *state, const char *name)
     return address;
 }
 
-#define MISSING NULL
 #else
 #define egl_open NULL
 #define egl_bind NULL
 #define egl_unbind NULL
 #define egl_getproc NULL
 #define egl_close NULL
-#define MISSING "build with make EGL=1 (Debian packages libegl-dev and libgl-dev)"
 #endif
 
 const struct gl_context_row context_egl = {
-    .variant = {.name = "egl",
-                .doc = "EGL device (GPU) or surfaceless (Mesa software), OpenGL 3.3 core",
-                .missing = MISSING},
+    .name = "egl",
     .open = egl_open,
     .bind = egl_bind,
     .unbind = egl_unbind,

@@ -102,20 +102,16 @@ static void *osmesa_getproc(void *state, const char *name)
     return address;
 }
 
-#define MISSING NULL
 #else
 #define osmesa_open NULL
 #define osmesa_bind NULL
 #define osmesa_unbind NULL
 #define osmesa_getproc NULL
 #define osmesa_close NULL
-#define MISSING "build with make OSMESA=1 (Debian package libosmesa6-dev)"
 #endif
 
 const struct gl_context_row context_osmesa = {
-    .variant = {.name = "osmesa",
-                .doc = "Mesa software drawing into memory (libOSMesa), OpenGL 3.3 core",
-                .missing = MISSING},
+    .name = "osmesa",
     .open = osmesa_open,
     .bind = osmesa_bind,
     .unbind = osmesa_unbind,

@@ -1,4 +1,4 @@
-/* Draws particles as lit spheres, off-screen, through one of the GL contexts. */
+/* Draws particles as lit spheres, off-screen, by OpenGL or by the processors. */
 #ifndef RENDER_RENDER_H
 #define RENDER_RENDER_H
 
@@ -9,14 +9,15 @@
 
 #include <stddef.h>
 
-extern const struct variant_table render_contexts; /* "contexts": egl, osmesa */
+extern const struct variant_table render_table;    /* "renderers": egl, cpu, osmesa */
 extern const struct variant_table render_maps;     /* "maps": viridis, ... */
 extern const struct variant_table render_overlays; /* "overlays": text; missing without cairo */
 
 /* What stays the same for a whole film. */
 struct render_setup {
     const struct scene *scene;   /* camera, movie.size, color.map, render.*, domain, title */
-    const char *context;         /* row of render_contexts, or "auto" */
+    const char *renderer;        /* row of render_table, or "auto" */
+    int threads;                 /* of the cpu renderer; 0: all processors */
     double radius;               /* drawn sphere radius, m */
     double range[2];             /* colour range, in the unit below; pinned for the film */
     const char *label, *unit;    /* of the colour bar: "speed", "m/s" */
@@ -33,13 +34,16 @@ struct render_frame {
     const uint8_t *color;        /* count * 4 RGBA when setup.solid, else NULL */
 };
 
+/* Place of a value in a range, 0..1; not a number counts as the low end. */
+float render_place(const double range[2], float value);
+
 struct renderer;
 
-/* STATUS_BACKEND when no context can be had; the message says what was tried and what to install.
+/* STATUS_BACKEND when no renderer can be had; the message says what was tried and what to install.
  * A renderer may be used by the thread that opened it only. */
 enum status renderer_open(struct renderer **renderer, const struct render_setup *setup,
                           struct error *e);
-/* Name of context and GL renderer, e.g. "egl (llvmpipe ...)". */
+/* Its name, e.g. "cpu (avx512, 2 threads)" or "egl (llvmpipe ...)". */
 const char *renderer_name(const struct renderer *renderer);
 
 /* Draws one frame. `image` may be zeroed or of any size: it is made anew unless it has movie.size.

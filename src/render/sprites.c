@@ -1,6 +1,7 @@
 /* Particles as lit spheres with exact perspective and depth. */
 #include "render/sprites.h"
 
+#include "render/look.h"
 #include "render/maps.h"
 
 #include <math.h>
@@ -36,7 +37,8 @@ static void uniforms_find(struct sprites *s, const struct gl *gl, const struct r
     s->scale = gl->GetUniformLocation(s->program, "scale");
     s->far = gl->GetUniformLocation(s->program, "far");
     s->key_light = gl->GetUniformLocation(s->program, "key_light");
-    s->sky = gl->GetUniformLocation(s->program, "sky");
+    s->material = gl->GetUniformLocation(s->program, "material");
+    s->shine = gl->GetUniformLocation(s->program, "shine");
     gl->UseProgram(s->program);
     gl->Uniform1i(gl->GetUniformLocation(s->program, "particles"), 0);
     gl->Uniform1i(gl->GetUniformLocation(s->program, "map"), 1);
@@ -75,14 +77,6 @@ void sprites_close(struct sprites *s, const struct gl *gl)
     memset(s, 0, sizeof *s);
 }
 
-/* Place of a value in the range, 0..1; not a number counts as the low end. */
-static float range_place(const double range[2], float value)
-{
-    double t = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0])
-                                   : (value > range[0]);
-    return t >= 1 ? 1 : t > 0 ? (float)t : 0;
-}
-
 enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
                             const struct render_frame *frame, struct error *e)
 {
@@ -102,7 +96,7 @@ enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
         if (setup->solid) {
             memcpy(&s->packed[i][3], frame->color + 4 * i, 4);
         } else {
-            t = range_place(setup->range, frame->value[i]);
+            t = render_place(setup->range, frame->value[i]);
             memcpy(&s->packed[i][3], &t, sizeof t);
         }
     }
@@ -144,15 +138,12 @@ static void view_matrix(const struct camera *camera, float m[16])
     m[15] = 1;
 }
 
-/* The key light stands over the viewer's left shoulder, so it turns with an orbiting camera and
- * colours read alike all round; the sky is up in the picture. */
-static void lights_set(const struct sprites *s, const struct gl *gl)
+static void look_set(const struct sprites *s, const struct gl *gl)
 {
-    static const double key[3] = {-0.40, 0.55, 0.73};
-    double length = sqrt(key[0] * key[0] + key[1] * key[1] + key[2] * key[2]);
-    gl->Uniform3f(s->key_light, (float)(key[0] / length), (float)(key[1] / length),
-                  (float)(key[2] / length));
-    gl->Uniform3f(s->sky, 0, 1, 0);
+    struct look look = look_make();
+    gl->Uniform3f(s->key_light, look.key[0], look.key[1], look.key[2]);
+    gl->Uniform4f(s->material, look.base, look.sky, look.diffuse, look.facing);
+    gl->Uniform1f(s->shine, look.shine);
 }
 
 /* Four ways were timed on llvmpipe (least ms per frame, 1280x720, four samples per pixel, two
@@ -169,7 +160,7 @@ void sprites_draw(const struct sprites *s, const struct gl *gl, size_t count,
     gl->UniformMatrix4fv(s->view, 1, GL_FALSE, view);
     gl->Uniform2f(s->scale, (float)(1 / camera->tan_x), (float)(1 / camera->tan_y));
     gl->Uniform1f(s->far, (float)far);
-    lights_set(s, gl);
+    look_set(s, gl);
     gl->BindVertexArray(s->array);
     gl->ActiveTexture(GL_TEXTURE0 + 1);
     gl->BindTexture(GL_TEXTURE_1D, s->map);

@@ -1,47 +1,9 @@
-/* The domain: its floor, and its edges as thin lines, faint where something is in front. */
+/* The domain's floor and edges as triangles in the picture. */
 #include "render/wire.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
-
-static const char vertex_text[] =
-#include "shaders/wire.vert.h"
-    ;
-static const char fragment_text[] =
-#include "shaders/wire.frag.h"
-    ;
-
-enum { EDGE_COUNT = 12, LINE_VERTICES = 6, FACE_VERTICES = 3 * (5 - 2) };
-
-enum status wire_open(struct wire *w, const struct gl *gl, struct error *e)
-{
-    static const char *const attributes[] = {"vertex", NULL};
-    enum status status = gl_program(gl, &w->program, "wire", vertex_text, fragment_text,
-                                    attributes, e);
-    if (status != STATUS_OK)
-        return status;
-    w->color = gl->GetUniformLocation(w->program, "color");
-    w->half_width = gl->GetUniformLocation(w->program, "half_width");
-    w->far = gl->GetUniformLocation(w->program, "far");
-    gl->GenVertexArrays(1, &w->array);
-    gl->BindVertexArray(w->array);
-    gl->GenBuffers(1, &w->buffer);
-    gl->BindBuffer(GL_ARRAY_BUFFER, w->buffer);
-    gl->EnableVertexAttribArray(0);
-    gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, NULL);
-    return gl_check(gl, "while preparing to draw lines", e);
-}
-
-void wire_close(struct wire *w, const struct gl *gl)
-{
-    if (w->program) {
-        gl->DeleteProgram(w->program);
-        gl->DeleteVertexArrays(1, &w->array);
-        gl->DeleteBuffers(1, &w->buffer);
-    }
-    memset(w, 0, sizeof *w);
-}
 
 /* The point between a (in front of the near distance) and b (behind it) at that distance. */
 static void cut(const double a[3], const double b[3], double near, double out[3])
@@ -172,17 +134,17 @@ static size_t edges_make(const struct scene *scene, const struct camera *camera,
     return written;
 }
 
-static void draw(const struct gl *gl, float (*vertices)[4], size_t count)
+static void layer_add(struct wire *w, float (*vertex)[4], size_t count, float half_width, float ink,
+                      float alpha, bool behind)
 {
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof vertices[0]), vertices,
-                   GL_STREAM_DRAW);
-    gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)count);
+    w->layers[w->count++] = (struct wire_layer){
+        .vertex = vertex, .count = count, .half_width = half_width, .color = {ink, ink, ink, alpha},
+        .behind = behind};
 }
 
-void wire_draw(const struct wire *w, const struct gl *gl, const struct scene *scene,
-               const struct camera *camera, double far, int samples)
+void wire_make(struct wire *w, const struct scene *scene, const struct camera *camera, double far,
+               int samples)
 {
-    float vertices[EDGE_COUNT * LINE_VERTICES][4];
     double corner[4][3], near = far * 1e-4;
     const double *back = scene->render.background;
     float ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0.0F : 1.0F;
@@ -192,29 +154,12 @@ void wire_draw(const struct wire *w, const struct gl *gl, const struct scene *sc
     size_t count;
     drawn.width *= samples;
     drawn.height *= samples;
-    gl->UseProgram(w->program);
-    gl->Uniform1f(w->far, (float)far);
-    gl->BindVertexArray(w->array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, w->buffer);
-    gl->Enable(GL_DEPTH_TEST);
-    gl->DepthMask(0);
-    gl->Enable(GL_BLEND);
-    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    w->count = 0;
     if (floor_corners(scene, camera, corner)) {
-        count = face_make(&drawn, near, corner, vertices);
-        gl->DepthFunc(GL_LESS);
-        gl->Uniform1f(w->half_width, 0);
-        gl->Uniform4f(w->color, ink, ink, ink, 0.07F);
-        draw(gl, vertices, count);
+        count = face_make(&drawn, near, corner, w->floor);
+        layer_add(w, w->floor, count, 0, ink, 0.07F, false);
     }
-    count = edges_make(scene, &drawn, near, half + 0.5, vertices);
-    gl->Uniform1f(w->half_width, (float)half);
-    gl->DepthFunc(GL_LESS);
-    gl->Uniform4f(w->color, ink, ink, ink, 0.55F);
-    draw(gl, vertices, count);
-    gl->DepthFunc(GL_GEQUAL); /* behind particles */
-    gl->Uniform4f(w->color, ink, ink, ink, 0.10F);
-    draw(gl, vertices, count);
-    gl->DepthMask(1);
-    gl->Disable(GL_BLEND);
+    count = edges_make(scene, &drawn, near, half + 0.5, w->edges);
+    layer_add(w, w->edges, count, (float)half, ink, 0.55F, false);
+    layer_add(w, w->edges, count, (float)half, ink, 0.10F, true);
 }

@@ -139,7 +139,8 @@ static enum status film_start(struct session *x, const struct run_options *optio
     const struct scene *scene = plan->scene;
     struct render_setup render = {
         .scene = scene,
-        .context = options->context ? options->context : "auto",
+        .renderer = options->renderer ? options->renderer : "auto",
+        .threads = options->threads,
         .radius = scene->render.radius * scene->particles.spacing,
     };
     if (plan->draws) {

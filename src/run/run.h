@@ -16,7 +16,7 @@ struct run_options {
     int threads;                /* 0: all processors */
     bool strict;                /* a step shorter than time.step is an error */
     const char *backend;        /* row of the table "backends", or "auto" */
-    const char *context;        /* row of the table "contexts", or "auto" */
+    const char *renderer;       /* row of the table "renderers", or "auto" */
     const char *isa;            /* row of the table "isas", or "auto" */
     const char *report;         /* JSON file, or NULL */
     const char *write_scene;    /* file for the effective scene, or NULL */

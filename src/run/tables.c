@@ -12,7 +12,7 @@
 
 static const struct variant_table *const tables[] = {
     &solver_table,    &kernel_table,   &search_table, &backend_table, &isa_table,
-    &render_contexts, &encode_table,   &color_table,  &render_maps,
+    &render_table, &encode_table,   &color_table,  &render_maps,
     &render_overlays, &measure_table,  &flow_table,
 };
 

@@ -32,7 +32,7 @@ const struct cli_option cli_options[] = {
 
     {"threads", "N", CLI_THREADS, 3, "Threads; 0, the default: one per processor", NULL, NULL},
     {"backend", "NAME", CLI_BACKEND, 3, "Where particles are computed", "backends", NULL},
-    {"gl", "NAME", CLI_GL, 3, "How frames are drawn", "contexts", NULL},
+    {"renderer", "NAME", CLI_RENDERER, 3, "What draws frames", "renderers", NULL},
     {"isa", "NAME", CLI_ISA, 3, "Vector instructions of the CPU; all give the same bits", "isas",
      NULL},
 

@@ -115,7 +115,7 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
     case CLI_COLOR: add_override(cli, option, value); break;
     case CLI_THREADS: read_threads(cli, value); break;
     case CLI_BACKEND: read_variant(cli, option, value, &cli->run.backend); break;
-    case CLI_GL: read_variant(cli, option, value, &cli->run.context); break;
+    case CLI_RENDERER: read_variant(cli, option, value, &cli->run.renderer); break;
     case CLI_ISA: read_variant(cli, option, value, &cli->run.isa); break;
     case CLI_STRICT: cli->run.strict = true; break;
     case CLI_CHECK: cli->check = true; break;
@@ -142,7 +142,7 @@ enum status cli_parse(struct cli *cli, int argc, char **argv)
                               "Renders movies of SPH fluid simulations without a screen.\v ", NULL,
                               filter_help, NULL};
     size_t room = (size_t)argc + 1;
-    *cli = (struct cli){.run = {.at = NAN, .backend = "auto", .context = "auto", .isa = "auto"},
+    *cli = (struct cli){.run = {.at = NAN, .backend = "auto", .renderer = "auto", .isa = "auto"},
                         .outputs = calloc(room, sizeof(char *)),
                         .items = calloc(room, sizeof(char *)),
                         .labels = calloc(room, sizeof(char *)),

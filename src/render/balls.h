@@ -1,0 +1,46 @@
+/* Particles of a frame as spheres in camera axes, and which tiles of the picture each may cover. */
+#ifndef RENDER_BALLS_H
+#define RENDER_BALLS_H
+
+#include "render/camera.h"
+#include "render/render.h"
+#include "render/splat.h"
+
+/* Lists of spheres by tile: those of tile i are entry[start[i]] to entry[start[i + 1] - 1]. */
+struct bins {
+    int columns, rows, tile; /* tiles in the picture; samples of a tile's side */
+    uint32_t *entry, *sorted;
+    size_t *start, *next;    /* next: of each thread and tile, while lists are filled */
+    size_t entries, entry_room, tile_room;
+};
+
+struct balls {
+    struct ball *ball; /* in order of the frame's particles; without extent where out of sight */
+    size_t count, room;
+    struct bins bins;
+};
+
+/* What spheres are seen by. */
+struct ball_view {
+    const struct camera *camera;
+    const struct render_setup *setup;
+    uint8_t (*map)[3];       /* colours of the map */
+    double radius;           /* m */
+    int width, height;       /* samples of the picture */
+    float half[2];           /* samples from its middle to tangent 1, rightwards and downwards */
+    int tile, threads;
+};
+
+/* The scene's colour map. */
+void balls_map(const struct render_setup *setup, uint8_t map[256][3]);
+
+/* STATUS_RUN when memory is short. */
+enum status balls_make(struct balls *balls, const struct ball_view *view,
+                       const struct render_frame *frame, struct error *e);
+
+/* Numbers of the spheres that may cover a tile, about nearest first. */
+const uint32_t *balls_of_tile(struct balls *balls, int tile, size_t *count);
+
+void balls_free(struct balls *balls);
+
+#endif

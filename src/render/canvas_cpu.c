@@ -1,0 +1,170 @@
+/* The renderer that needs no OpenGL: spheres into tiles, by all processors (render/splat.h). */
+#include "render/balls.h"
+#include "render/blend.h"
+#include "render/canvas.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct canvas {
+    struct render_setup setup;
+    const struct splat_isa *isa;
+    int threads, samples; /* samples per pixel, in x and in y */
+    int width, height;    /* samples */
+    float *ray_x, *ray_y; /* of each column and row */
+    struct balls balls;
+    struct tile *tiles;   /* of each thread */
+    uint8_t map[256][3];
+    char name[64];
+};
+
+enum { SAMPLES = 2, MOST_SAMPLES = 65535 }; /* of width or height: struct ball has 16 bits */
+
+static const struct splat_isa *isa_find(void)
+{
+    return splat_avx512.supported() ? &splat_avx512 : splat_avx2.supported() ? &splat_avx2 : &splat_base;
+}
+
+static void canvas_close(void *canvas)
+{
+    struct canvas *c = canvas;
+    if (!c)
+        return;
+    balls_free(&c->balls);
+    free(c->ray_x);
+    free(c->ray_y);
+    free(c->tiles);
+    free(c);
+}
+
+static enum status room_make(struct canvas *c, struct error *e)
+{
+    size_t width = (size_t)c->width + TILE, height = (size_t)c->height + TILE;
+    c->ray_x = calloc(width, sizeof *c->ray_x);
+    c->ray_y = calloc(height, sizeof *c->ray_y);
+    c->tiles = aligned_alloc(64, (size_t)c->threads * sizeof *c->tiles);
+    if (!c->ray_x || !c->ray_y || !c->tiles)
+        return error_set(e, STATUS_RUN, "out of memory for the picture");
+    return STATUS_OK;
+}
+
+static enum status canvas_open(void **canvas, const struct canvas_row *row,
+                               const struct render_setup *setup, struct error *e)
+{
+    const int *size = setup->scene->movie.size;
+    struct canvas *c = calloc(1, sizeof *c);
+    (void)row;
+    *canvas = NULL;
+    if (!c)
+        return error_set(e, STATUS_RUN, "out of memory");
+    c->setup = *setup;
+    c->isa = isa_find();
+    c->threads = setup->threads > 0 ? setup->threads : omp_get_num_procs();
+    c->samples = SAMPLES;
+    if (size[0] < 1 || size[1] < 1 || size[0] > MOST_SAMPLES / SAMPLES || size[1] > MOST_SAMPLES / SAMPLES) {
+        canvas_close(c);
+        return error_set(e, STATUS_BACKEND, "a picture of %d x %d pixels cannot be drawn: cpu draws up to "
+                         "%d x %d; choose another --size", size[0], size[1],
+                         MOST_SAMPLES / SAMPLES, MOST_SAMPLES / SAMPLES);
+    }
+    c->width = size[0] * c->samples;
+    c->height = size[1] * c->samples;
+    snprintf(c->name, sizeof c->name, "cpu (%s, %d thread%s)", c->isa->name, c->threads,
+             c->threads == 1 ? "" : "s");
+    balls_map(setup, c->map);
+    if (room_make(c, e)) {
+        canvas_close(c);
+        return e->status;
+    }
+    *canvas = c;
+    return STATUS_OK;
+}
+
+/* Ray directions at the samples' middles; where rays are parallel, their places. */
+static void rays_make(struct canvas *c, const struct camera *camera)
+{
+    for (int x = 0; x < c->width; x++)
+        c->ray_x[x] = (float)(((x + 0.5) / c->width * 2 - 1) * camera->tan_x);
+    for (int y = 0; y < c->height; y++)
+        c->ray_y[y] = (float)((1 - (y + 0.5) / c->height * 2) * camera->tan_y);
+}
+
+static void tiles_draw(struct canvas *c, const struct splat *splat)
+{
+    const struct bins *bins = &c->balls.bins;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
+    for (int i = 0; i < bins->columns * bins->rows; i++) {
+        struct tile *tile = &c->tiles[omp_get_thread_num()];
+        tile->left = i % bins->columns * bins->tile;
+        tile->top = i / bins->columns * bins->tile;
+        tile->width = c->width - tile->left < bins->tile ? c->width - tile->left : bins->tile;
+        tile->height = c->height - tile->top < bins->tile ? c->height - tile->top : bins->tile;
+        size_t count;
+        const uint32_t *balls = balls_of_tile(&c->balls, i, &count);
+        c->isa->draw(splat, tile, balls, count);
+    }
+}
+
+static double far_distance(const struct canvas *c, const struct camera *camera)
+{
+    double far = 0;
+    for (int i = 0; i < 8; i++) {
+        double corner[3], view[3];
+        camera_corner(c->setup.scene, i, c->setup.radius, corner);
+        camera_view(camera, corner, view);
+        far = fmax(far, view[2]);
+    }
+    return far > 0 ? far : 1;
+}
+
+static enum status canvas_draw(void *canvas, const struct camera *camera,
+                               const struct render_frame *frame, struct image *image, struct error *e)
+{
+    struct canvas *c = canvas;
+    const struct scene *scene = c->setup.scene;
+    struct wire wire = {.count = 0};
+    struct blend blends[BLENDS_MAX];
+    struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, .lens = 1,
+                          .radius = (float)c->setup.radius, .look = look_make(), .blends = blends,
+                          .samples = c->samples, .rgba = image->rgba,
+                          .pitch = (size_t)image->width};
+    struct ball_view view = {.camera = camera, .radius = c->setup.radius, .width = c->width,
+                             .height = c->height, .tile = TILE / c->samples * c->samples,
+                             .half = {(float)(c->width / 2.0 / camera->tan_x),
+                                      (float)(-c->height / 2.0 / camera->tan_y)},
+                             .threads = c->threads, .map = c->map, .setup = &c->setup};
+    for (int k = 0; k < 3; k++)
+        splat.back[k] = (float)scene->render.background[k];
+    rays_make(c, camera);
+    if (balls_make(&c->balls, &view, frame, e))
+        return e->status;
+    splat.balls = c->balls.ball;
+    if (scene->render.box)
+        wire_make(&wire, scene, camera, far_distance(c, camera), c->samples);
+    splat.blend_count = blends_make(&wire, c->width, c->height, blends);
+    tiles_draw(c, &splat);
+    return STATUS_OK;
+}
+
+static const char *canvas_name(const void *canvas)
+{
+    return ((const struct canvas *)canvas)->name;
+}
+
+static bool canvas_software(const void *canvas)
+{
+    (void)canvas;
+    return false; /* it is made for processors */
+}
+
+const struct canvas_row canvas_cpu = {
+    .variant = {.name = "cpu", .doc = "spheres by all processors, without OpenGL; the same bits everywhere"},
+    .open = canvas_open,
+    .draw = canvas_draw,
+    .name = canvas_name,
+    .software = canvas_software,
+    .close = canvas_close,
+};

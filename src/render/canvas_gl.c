@@ -1,0 +1,258 @@
+/* Renderers that draw by OpenGL into an off-screen framebuffer, each in a context of its own. */
+#include "render/canvas.h"
+
+#include "render/context.h"
+#include "render/gl.h"
+#include "render/hidden.h"
+#include "render/sprites.h"
+#include "render/wire_gl.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct canvas {
+    struct render_setup setup;
+    const struct gl_context_row *row;
+    void *context;
+    struct gl gl;
+    struct sprites sprites;
+    struct wire_gl wire;
+    GLuint framebuffer, color, depth;
+    int width, height; /* of a frame, pixels */
+    int samples;       /* drawn pixels per frame pixel, in x and in y */
+    uint32_t *drawn;   /* RGBA bytes as read back, bottom row first */
+    float *cover;      /* width * height, for hidden_drop */
+    char name[300];
+};
+
+/* The scene's picture must fit the machine's limits; without room for 2 x 2 samples, 1 x 1. */
+static enum status size_check(struct canvas *r, struct error *e)
+{
+    GLint buffer = 0, viewport[2] = {0, 0}, most;
+    r->gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+    r->gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    most = viewport[0] < viewport[1] ? viewport[0] : viewport[1];
+    most = buffer < most ? buffer : most;
+    if (r->width < 1 || r->height < 1 || r->width > most || r->height > most)
+        return error_set(e, STATUS_BACKEND, "a picture of %d x %d pixels cannot be drawn: %s draws "
+                         "up to %d x %d; choose another --size", r->width, r->height, r->name,
+                         most, most);
+    r->samples = r->width <= most / 2 && r->height <= most / 2 ? 2 : 1;
+    return STATUS_OK;
+}
+
+static enum status framebuffer_open(struct canvas *r, struct error *e)
+{
+    const struct gl *gl = &r->gl;
+    GLsizei width = r->width * r->samples, height = r->height * r->samples;
+    GLenum state;
+    gl->GenFramebuffers(1, &r->framebuffer);
+    gl->GenRenderbuffers(1, &r->color);
+    gl->GenRenderbuffers(1, &r->depth);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, r->color);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
+    gl->BindRenderbuffer(GL_RENDERBUFFER, r->depth);
+    gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, r->color);
+    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, r->depth);
+    if (gl_check(gl, "while making the picture's memory", e) != STATUS_OK)
+        return e->status;
+    state = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (state != GL_FRAMEBUFFER_COMPLETE)
+        return error_set(e, STATUS_BACKEND, "%s cannot draw off-screen (framebuffer 0x%04x)",
+                         r->name, state);
+    r->drawn = malloc((size_t)width * (size_t)height * 4);
+    r->cover = malloc((size_t)r->width * (size_t)r->height * sizeof *r->cover);
+    if (!r->drawn || !r->cover)
+        return error_set(e, STATUS_RUN, "out of memory for the picture");
+    return STATUS_OK;
+}
+
+/* Everything that needs the context current. */
+static enum status resources_open(struct canvas *r, struct error *e)
+{
+    const char *gl_name;
+    enum status status = gl_load(&r->gl, r->row->getproc, r->context, e);
+    if (status != STATUS_OK)
+        return status;
+    gl_name = (const char *)r->gl.GetString(GL_RENDERER);
+    snprintf(r->name, sizeof r->name, "%s (%s)", r->row->name, gl_name ? gl_name : "?");
+    status = size_check(r, e);
+    if (status == STATUS_OK)
+        status = framebuffer_open(r, e);
+    if (status == STATUS_OK)
+        status = sprites_open(&r->sprites, &r->gl, &r->setup, e);
+    if (status == STATUS_OK && r->setup.scene->render.box)
+        status = wire_open(&r->wire, &r->gl, e);
+    return status;
+}
+
+static void resources_close(struct canvas *r)
+{
+    const struct gl *gl = &r->gl;
+    wire_close(&r->wire, gl);
+    sprites_close(&r->sprites, gl);
+    if (r->framebuffer) {
+        gl->DeleteFramebuffers(1, &r->framebuffer);
+        gl->DeleteRenderbuffers(1, &r->color);
+        gl->DeleteRenderbuffers(1, &r->depth);
+    }
+}
+
+static void canvas_close(void *canvas)
+{
+    struct canvas *r = canvas;
+    struct error ignored;
+    if (!r)
+        return;
+    if (r->context && r->row->bind(r->context, &ignored) == STATUS_OK) {
+        resources_close(r);
+        r->row->unbind(r->context);
+    }
+    r->row->close(r->context);
+    free(r->drawn);
+    free(r->cover);
+    free(r);
+}
+
+static enum status canvas_open(void **canvas, const struct canvas_row *row,
+                               const struct render_setup *setup, struct error *e)
+{
+    struct canvas *r = calloc(1, sizeof *r);
+    *canvas = NULL;
+    if (!r)
+        return error_set(e, STATUS_RUN, "out of memory");
+    r->setup = *setup;
+    r->row = row->context;
+    r->width = setup->scene->movie.size[0];
+    r->height = setup->scene->movie.size[1];
+    enum status status = r->row->open(&r->context, e);
+    if (status == STATUS_OK)
+        status = r->row->bind(r->context, e);
+    if (status == STATUS_OK) {
+        status = resources_open(r, e);
+        r->row->unbind(r->context);
+    }
+    if (status == STATUS_OK)
+        *canvas = r;
+    else
+        canvas_close(r);
+    return status;
+}
+
+/* Depth 1: behind the domain and every particle. */
+static double far_distance(const struct canvas *r, const struct camera *camera, size_t count)
+{
+    double far = sprites_reach(&r->sprites, count, camera, r->setup.radius);
+    for (int i = 0; i < 8; i++) {
+        double corner[3], view[3];
+        camera_corner(r->setup.scene, i, r->setup.radius, corner);
+        camera_view(camera, corner, view);
+        far = fmax(far, view[2]);
+    }
+    return far > 0 ? far * 1.001 : 1;
+}
+
+static enum status gl_draw(struct canvas *r, const struct camera *camera,
+                           const struct render_frame *frame, struct error *e)
+{
+    const struct gl *gl = &r->gl;
+    const struct scene *scene = r->setup.scene;
+    const double *back = scene->render.background;
+    GLsizei width = r->width * r->samples, height = r->height * r->samples;
+    size_t count;
+    double far;
+    count = hidden_drop(camera, r->sprites.packed, frame->count, r->setup.radius, r->cover);
+    far = far_distance(r, camera, count);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
+    gl->Viewport(0, 0, width, height);
+    gl->Disable(GL_DITHER);
+    gl->Disable(GL_BLEND);
+    gl->DepthMask(1);
+    gl->ClearColor((float)back[0], (float)back[1], (float)back[2], 1);
+    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (count)
+        sprites_draw(&r->sprites, gl, count, camera, far);
+    if (scene->render.box)
+        wire_draw(&r->wire, gl, scene, camera, far, r->samples);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, r->drawn);
+    return gl_check(gl, "while drawing a frame", e);
+}
+
+/* The rounded mean of four RGBA pixels, two bytes at a time in the halves of a word. */
+static uint32_t mean4(const uint32_t *upper, const uint32_t *lower)
+{
+    const uint32_t half = 0x00ff00ff, round = 0x00020002;
+    uint32_t a = (upper[0] & half) + (upper[1] & half) + (lower[0] & half) + (lower[1] & half);
+    uint32_t b = (upper[0] >> 8 & half) + (upper[1] >> 8 & half) + (lower[0] >> 8 & half) +
+                 (lower[1] >> 8 & half);
+    return ((a + round) >> 2 & half) | ((b + round) >> 2 & half) << 8;
+}
+
+/* Rows from the top, and the mean of 2 x 2 samples where there are. */
+static void resolve(const struct canvas *r, struct image *image)
+{
+    size_t row = (size_t)r->width * (size_t)r->samples; /* pixels */
+    uint32_t *out = (uint32_t *)(void *)image->rgba;
+    for (int y = 0; y < r->height; y++, out += r->width) {
+        const uint32_t *upper = r->drawn + (size_t)(r->height - 1 - y) * (size_t)r->samples * row;
+        if (r->samples == 1)
+            memcpy(out, upper, row * sizeof *upper);
+        else
+            for (int x = 0; x < r->width; x++)
+                out[x] = mean4(upper + 2 * x, upper + row + 2 * x);
+    }
+}
+
+static enum status canvas_draw(void *canvas, const struct camera *camera,
+                               const struct render_frame *frame, struct image *image, struct error *e)
+{
+    struct canvas *r = canvas;
+    enum status status = sprites_prepare(&r->sprites, &r->setup, frame, e);
+    if (status == STATUS_OK)
+        status = r->row->bind(r->context, e);
+    if (status != STATUS_OK)
+        return status;
+    status = gl_draw(r, camera, frame, e);
+    r->row->unbind(r->context);
+    if (status == STATUS_OK)
+        resolve(r, image);
+    return status;
+}
+
+static const char *canvas_name(const void *canvas)
+{
+    return ((const struct canvas *)canvas)->name;
+}
+
+/* Mesa's rasterisers for processors. */
+static bool canvas_software(const void *canvas)
+{
+    const char *name = canvas_name(canvas);
+    return strstr(name, "llvmpipe") || strstr(name, "softpipe") || strstr(name, "swrast");
+}
+
+const struct canvas_row canvas_egl = {
+    .variant = {.name = "egl", .doc = "OpenGL 3.3 core on an EGL device (GPU) or surfaceless (Mesa software)",
+                .missing = EGL_MISSING},
+    .context = &context_egl,
+    .open = canvas_open,
+    .draw = canvas_draw,
+    .name = canvas_name,
+    .software = canvas_software,
+    .close = canvas_close,
+};
+
+const struct canvas_row canvas_osmesa = {
+    .variant = {.name = "osmesa", .doc = "OpenGL 3.3 core by Mesa software, into memory (libOSMesa)",
+                .missing = OSMESA_MISSING},
+    .context = &context_osmesa,
+    .open = canvas_open,
+    .draw = canvas_draw,
+    .name = canvas_name,
+    .software = canvas_software,
+    .close = canvas_close,
+};

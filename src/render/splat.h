@@ -1,0 +1,75 @@
+/* Spheres into tiles of samples: what the cpu renderer's loops read and write.
+ *
+ * The picture is cut into tiles of at most TILE x TILE samples, which threads draw one at a time. A tile
+ * keeps the depth and the number of the nearest sphere at each sample, and shades once when all are
+ * known. A ray r = (x, y, 1) from the eye meets the sphere of radius R about c, with o = c_z r - c, where
+ *   |o + t r|^2 = R^2: t = -(o.r + sqrt((o.r)^2 - r.r (o.o - R^2)))/r.r, depth c_z + t
+ * all differences being taken near the sphere. Of equal depths the first sphere wins, so that no order of
+ * drawing matters: the picture has the same bits for any number of threads and any instruction set. */
+#ifndef RENDER_SPLAT_H
+#define RENDER_SPLAT_H
+
+#include "render/look.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { TILE = 64, CHUNK = 16, BLOCK = 8, BLOCKS = TILE / BLOCK };
+
+/* A sphere in camera axes (z in front of the eye, m) and the samples that it may cover. */
+struct ball {
+    float x, y, z;
+    uint8_t rgb[4];
+    uint16_t left, right, top, bottom; /* right and bottom are not in */
+};
+
+/* A triangle that is blended over the spheres, in samples. Inside, a + b x + c y of each edge is above 0,
+ * or 0 where the edge belongs to it; two triangles that share an edge draw each sample once. */
+struct blend {
+    double edge[3][3];
+    bool owns[3];
+    double inverse[3], across[3]; /* 1 / distance; samples across the line: a + b x + c y */
+    float half_width;             /* of a line; 0: a face */
+    float color[3], cover;
+    bool behind;                  /* where a sphere is in front, not where it is nearer */
+    int left, right, top, bottom; /* right and bottom are not in */
+};
+
+/* What all tiles of a picture share. */
+struct splat {
+    const struct ball *balls;
+    const float *ray_x, *ray_y; /* of each column and row of samples, rows from the top; padded by TILE */
+    float lens;                 /* 1: rays start at the eye; 0: they are parallel */
+    float radius;
+    struct look look;
+    float back[3];              /* background, 0..1 */
+    const struct blend *blends; /* in order */
+    size_t blend_count;
+    int samples;                /* of a pixel, in x and in y */
+    uint8_t *rgba;              /* pixels, rows from the top */
+    size_t pitch;               /* pixels of a row */
+};
+
+struct tile {
+    int left, top, width, height; /* samples */
+    float depth[TILE][TILE];      /* INFINITY: nothing */
+    uint32_t ball[TILE][TILE];    /* UINT32_MAX: none */
+    float far[BLOCKS][BLOCKS];    /* largest depth of a block */
+    bool stale[BLOCKS][BLOCKS];   /* that it must be found anew */
+    float color[3][TILE][TILE];
+};
+
+/* Draws spheres into a tile, nearest first where possible, colours it, and writes its pixels. */
+typedef void splat_function(const struct splat *splat, struct tile *tile, const uint32_t *balls,
+                            size_t count);
+
+/* One row for each instruction set: the same loops. */
+struct splat_isa {
+    const char *name;
+    bool (*supported)(void);
+    splat_function *draw;
+};
+extern const struct splat_isa splat_base, splat_avx2, splat_avx512;
+
+#endif

@@ -1,0 +1,9 @@
+/* The cpu renderer's loops for any processor. */
+#include "render/splat_loops.h"
+
+static bool supported(void)
+{
+    return true;
+}
+
+const struct splat_isa splat_base = {"base", supported, tile_draw};

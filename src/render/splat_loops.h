@@ -1,0 +1,290 @@
+/* The loops of the cpu renderer: plain C that compilers turn into vectors of CHUNK lanes or less. Each
+ * sample's arithmetic is the same in all of them. */
+#include "render/splat.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Samples outside the picture have depth 0, which nothing is nearer than. */
+static void tile_clear(struct tile *tile)
+{
+    for (int y = 0; y < TILE; y++)
+        for (int x = 0; x < TILE; x++) {
+            tile->depth[y][x] = (x < tile->width) & (y < tile->height) ? INFINITY : 0;
+            tile->ball[y][x] = UINT32_MAX;
+        }
+    for (int y = 0; y < BLOCKS; y++)
+        for (int x = 0; x < BLOCKS; x++) {
+            tile->far[y][x] = INFINITY;
+            tile->stale[y][x] = false;
+        }
+}
+
+/* The largest depth of a block. */
+static float block_far(struct tile *tile, int column, int row)
+{
+    float most[BLOCK] = {0}, far = 0;
+    if (!tile->stale[row][column])
+        return tile->far[row][column];
+    for (int y = 0; y < BLOCK; y++) {
+        const float *depth = &tile->depth[row * BLOCK + y][column * BLOCK];
+        for (int x = 0; x < BLOCK; x++)
+            most[x] = depth[x] > most[x] ? depth[x] : most[x];
+    }
+    for (int x = 0; x < BLOCK; x++)
+        far = most[x] > far ? most[x] : far;
+    tile->stale[row][column] = false;
+    tile->far[row][column] = far;
+    return far;
+}
+
+/* Whether all samples that the sphere may cover show something nearer; its box is in tile's samples. */
+static bool ball_is_hidden(struct tile *tile, const struct ball *ball, float radius,
+                           const int box[4])
+{
+    float front = ball->z - 1.0001F * radius - 1e-6F * ball->z;
+    for (int row = box[1] / BLOCK; row * BLOCK < box[3]; row++)
+        for (int column = box[0] / BLOCK; column * BLOCK < box[2]; column++)
+            if (!(block_far(tile, column, row) < front))
+                return false;
+    return true;
+}
+
+/* CHUNK samples of a row. */
+static inline void chunk_splat(const struct splat *s, const struct ball *ball, uint32_t number,
+                               const float *restrict ray_x, float y, float *restrict depth,
+                               uint32_t *restrict nearest)
+{
+    const float scale = s->lens * ball->z + (1 - s->lens), r2 = s->radius * s->radius;
+    const float oy = scale * y - ball->y, dy = s->lens * y, lens = s->lens;
+    const float bx = ball->x, bz = ball->z, rest = oy * oy - r2, across = oy * dy, side = dy * dy + 1;
+    for (int l = 0; l < CHUNK; l++) {
+        float ox = scale * ray_x[l] - bx, dx = lens * ray_x[l];
+        float along = ox * dx + across, square = dx * dx + side;
+        float root = along * along - square * (ox * ox + rest);
+        float z = bz - (along + sqrtf(root > 0 ? root : 0)) / square;
+        bool first = (z < depth[l]) | ((z == depth[l]) & (number < nearest[l]));
+        bool hit = (root >= 0) & (z > 0) & first;
+        depth[l] = hit ? z : depth[l];
+        nearest[l] = hit ? number : nearest[l];
+    }
+}
+
+static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number)
+{
+    const struct ball *ball = &s->balls[number];
+    int box[4] = {ball->left - tile->left, ball->top - tile->top, ball->right - tile->left,
+                  ball->bottom - tile->top};
+    box[0] = box[0] > 0 ? box[0] : 0;
+    box[1] = box[1] > 0 ? box[1] : 0;
+    box[2] = box[2] < tile->width ? box[2] : tile->width;
+    box[3] = box[3] < tile->height ? box[3] : tile->height;
+    if (ball_is_hidden(tile, ball, s->radius, box))
+        return;
+    for (int y = box[1]; y < box[3]; y++)
+        for (int x = box[0] & ~(CHUNK - 1); x < box[2]; x += CHUNK)
+            chunk_splat(s, ball, number, s->ray_x + tile->left + x, s->ray_y[tile->top + y],
+                        &tile->depth[y][x], &tile->ball[y][x]);
+    for (int row = box[1] / BLOCK; row * BLOCK < box[3]; row++)
+        for (int column = (box[0] & ~(CHUNK - 1)) / BLOCK; column * BLOCK < box[2]; column++)
+            tile->stale[row][column] = true;
+}
+
+/* Spheres that CHUNK samples show: x, y, z, and colour in the bits of a float. */
+typedef float shown_type[CHUNK][4];
+
+static inline void shown_load(const struct splat *s, const uint32_t *number, shown_type shown)
+{
+    static const struct ball none = {.z = 1};
+    for (int l = 0; l < CHUNK; l++)
+        memcpy(shown[l], number[l] == UINT32_MAX ? &none : &s->balls[number[l]], 16);
+}
+
+/* The factor of the colour, and the white that is added, at the points where rays meet spheres: z is
+ * their depth. */
+static inline void chunk_light(const struct splat *s, float (*restrict shown)[4],
+                               const float *restrict ray_x, float y, const float *restrict depth,
+                               float *restrict light, float *restrict shine)
+{
+    const struct look *look = &s->look;
+    const float lens = s->lens, inverse = 1 / s->radius;
+    for (int l = 0; l < CHUNK; l++) {
+        float z = depth[l], t = z - shown[l][2];
+        float scale = lens * z + (1 - lens), dx = lens * ray_x[l], dy = lens * y;
+        float nx = (scale * ray_x[l] - shown[l][0]) * inverse;
+        float ny = (scale * y - shown[l][1]) * inverse, nz = -t * inverse; /* towards the viewer */
+        float length = 1 / sqrtf(dx * dx + dy * dy + 1), along = nx * dx + ny * dy - nz;
+        float facing = along < 0 ? -along * length : 0;
+        float key = nx * look->key[0] + ny * look->key[1] + nz * look->key[2];
+        float ahead = (dx * look->key[0] + dy * look->key[1] - look->key[2]) * length;
+        float glance = ahead - 2 * along * length * key;
+        float g2 = glance > 0 ? glance * glance : 0, g4 = g2 * g2, g8 = g4 * g4;
+        float sum = look->base + look->sky * (0.5F + 0.5F * ny);
+        sum = (sum + look->diffuse * (key > 0 ? key : 0)) * (1 - look->facing + look->facing * facing);
+        light[l] = sum < 1 ? sum : 1;
+        shine[l] = look->shine * (g8 * g8 * g8);
+    }
+}
+
+static inline bool chunk_is_empty(const uint32_t *number)
+{
+    uint32_t all = UINT32_MAX;
+    for (int l = 0; l < CHUNK; l++)
+        all &= number[l];
+    return all == UINT32_MAX;
+}
+
+static inline void chunk_shade(const struct splat *s, struct tile *tile, int x, int y)
+{
+    shown_type shown;
+    float light[CHUNK], shine[CHUNK], depth[CHUNK];
+    uint32_t rgb[CHUNK];
+    const uint32_t *number = &tile->ball[y][x];
+    for (int l = 0; l < CHUNK; l++)
+        depth[l] = number[l] == UINT32_MAX ? 1 : tile->depth[y][x + l];
+    shown_load(s, number, shown);
+    for (int l = 0; l < CHUNK; l++)
+        memcpy(&rgb[l], &shown[l][3], 4);
+    chunk_light(s, shown, s->ray_x + tile->left + x, s->ray_y[tile->top + y], depth, light, shine);
+    for (int k = 0; k < 3; k++) {
+        float *restrict color = &tile->color[k][y][x];
+        const float back = s->back[k];
+        const int shift = 8 * k;
+        for (int l = 0; l < CHUNK; l++) {
+            float c = (float)(int)(rgb[l] >> shift & 255) * (1 / 255.0F) * light[l] + shine[l];
+            c = c < 1 ? c : 1;
+            color[l] = number[l] == UINT32_MAX ? back : c;
+        }
+    }
+}
+
+static inline void chunk_color(const struct splat *s, struct tile *tile, int x, int y)
+{
+    if (!chunk_is_empty(&tile->ball[y][x])) {
+        chunk_shade(s, tile, x, y);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        for (int l = 0; l < CHUNK; l++)
+            tile->color[k][y][x + l] = s->back[k];
+}
+
+/* Narrows x..end to where e + d (px + x) may be above 0. */
+static inline void span_cut(double e, double d, double px, int *x, int *end)
+{
+    double zero = -e / d - px;
+    if (d > 0 && zero - 1 > *x)
+        *x = zero < *end ? (int)(zero - 1) : *end;
+    if (d < 0 && zero + 2 < *end)
+        *end = zero > -2 ? (int)(zero + 2) : 0;
+}
+
+/* Whether the middle of a sample is in the triangle. */
+static inline bool blend_covers(const struct blend *b, double x, double y)
+{
+    for (int k = 0; k < 3; k++) {
+        double inside = b->edge[k][0] + b->edge[k][2] * y + b->edge[k][1] * x;
+        if (!(inside > 0 || (b->owns[k] && inside == 0)))
+            return false;
+    }
+    return true;
+}
+
+/* Samples x..end of a row, all of them in the triangle. */
+static inline void span_blend(const struct blend *b, struct tile *tile, int y, int x, int end)
+{
+    const double py = tile->top + y + 0.5, px = tile->left + 0.5;
+    const float near = (float)(b->inverse[0] + b->inverse[2] * py + b->inverse[1] * px);
+    const float side = (float)(b->across[0] + b->across[2] * py + b->across[1] * px);
+    const float near_x = (float)b->inverse[1], side_x = (float)b->across[1], cover = b->cover;
+    const float half = b->half_width > 0 ? b->half_width + 0.5F : INFINITY;
+    const float red = b->color[0], green = b->color[1], blue = b->color[2];
+    const float sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
+    const float *restrict seen = tile->depth[y];
+    float *restrict c0 = tile->color[0][y], *restrict c1 = tile->color[1][y];
+    float *restrict c2 = tile->color[2][y];
+    for (; x < end; x++) {
+        float depth = 1 / (near + near_x * (float)x), apart = sign * (seen[x] - depth);
+        float soft = half - fabsf(side + side_x * (float)x);
+        soft = soft < 0 ? 0 : soft;
+        soft = soft > 1 ? 1 : soft;
+        float part = (apart > 0) | ((tie > 0) & (apart == 0)) ? cover * soft : 0;
+        c0[x] += part * (red - c0[x]);
+        c1[x] += part * (green - c1[x]);
+        c2[x] += part * (blue - c2[x]);
+    }
+}
+
+/* Samples x..end of row y that are in the triangle. */
+static inline void row_blend(const struct blend *b, struct tile *tile, int y, int x, int end)
+{
+    const double py = tile->top + y + 0.5, px = tile->left + 0.5;
+    for (int k = 0; k < 3; k++)
+        span_cut(b->edge[k][0] + b->edge[k][2] * py, b->edge[k][1], px, &x, &end);
+    while (x < end && !blend_covers(b, px + x, py))
+        x++;
+    while (x < end && !blend_covers(b, px + end - 1, py))
+        end--;
+    span_blend(b, tile, y, x, end);
+}
+
+static void tile_blend(const struct blend *b, struct tile *tile)
+{
+    int left = b->left > tile->left ? b->left - tile->left : 0;
+    int top = b->top > tile->top ? b->top - tile->top : 0;
+    int right = b->right - tile->left < tile->width ? b->right - tile->left : tile->width;
+    int bottom = b->bottom - tile->top < tile->height ? b->bottom - tile->top : tile->height;
+    for (int y = top; y < bottom; y++)
+        row_blend(b, tile, y, left, right);
+}
+
+/* Adds every n-th of a row's samples. */
+static inline void samples_add(const float *restrict color, int n, int count, float *restrict sum)
+{
+    if (n == 2)
+        for (int x = 0; x < TILE / 2; x++)
+            sum[x] += color[2 * x];
+    else
+        for (int x = 0; x < count; x++)
+            sum[x] += color[n * x];
+}
+
+/* One row of pixels: the means of their n x n samples, rounded. */
+static inline void row_resolve(const struct tile *tile, int y, int n, uint8_t *rgba)
+{
+    const int width = tile->width / n;
+    const float scale = 255.0F / (float)(n * n);
+    float sum[3][TILE] = {{0}};
+    uint32_t out[TILE];
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < n * n; j++)
+            samples_add(&tile->color[k][y * n + j / n][j % n], n, width, sum[k]);
+    for (int x = 0; x < TILE; x++) {
+        uint32_t red = (uint32_t)(int)(sum[0][x] * scale + 0.5F);
+        uint32_t green = (uint32_t)(int)(sum[1][x] * scale + 0.5F);
+        uint32_t blue = (uint32_t)(int)(sum[2][x] * scale + 0.5F);
+        out[x] = red | green << 8 | blue << 16 | 0xff000000u; /* bytes in memory: little endian */
+    }
+    memcpy(rgba, out, 4 * (size_t)width);
+}
+
+static void tile_resolve(const struct splat *s, const struct tile *tile)
+{
+    const int n = s->samples;
+    for (int y = 0; y < tile->height / n; y++)
+        row_resolve(tile, y, n, s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch +
+                                               (size_t)(tile->left / n)));
+}
+
+static void tile_draw(const struct splat *s, struct tile *tile, const uint32_t *balls, size_t count)
+{
+    tile_clear(tile);
+    for (size_t i = 0; i < count; i++)
+        ball_splat(s, tile, balls[i]);
+    for (int y = 0; y < tile->height; y++)
+        for (int x = 0; x < tile->width; x += CHUNK)
+            chunk_color(s, tile, x, y);
+    for (size_t i = 0; i < s->blend_count; i++)
+        tile_blend(&s->blends[i], tile);
+    tile_resolve(s, tile);
+}

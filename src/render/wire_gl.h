@@ -1,0 +1,21 @@
+/* Draws the domain's floor and edges by OpenGL. */
+#ifndef RENDER_WIRE_GL_H
+#define RENDER_WIRE_GL_H
+
+#include "render/gl.h"
+#include "render/wire.h"
+
+struct wire_gl {
+    GLuint program, array, buffer;
+    GLint color, half_width, far; /* uniform locations */
+};
+
+/* As sprites_open and sprites_close. */
+enum status wire_open(struct wire_gl *wire, const struct gl *gl, struct error *e);
+void wire_close(struct wire_gl *wire, const struct gl *gl);
+
+/* Draw over the spheres; `far` m is depth 1, `samples` the pixels drawn per pixel shown, in x. */
+void wire_draw(const struct wire_gl *wire, const struct gl *gl, const struct scene *scene,
+               const struct camera *camera, double far, int samples);
+
+#endif
