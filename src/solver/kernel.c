@@ -145,8 +145,9 @@ static void layer_table(const struct kernel_row *kernel, double support, struct 
     }
 }
 
-/* Over a sheet at depth z the integral of -W'/r is 2 pi W(z), that of -W'/r z^2 is z^2 times it, and
- * that of -W'/r x^2 is 2 pi times the integral of r W from z on. */
+/* Over a sheet at depth z the integral of -W'/r is 2 pi W(z), and that of -W'/r x^2 is 2 pi times the
+ * integral of r W from z on. That of -W'/r z^2, across the plane, is not taken: it reaches so far that a
+ * wall would hold off a thick body that only comes near, and without any drag it would sink in. */
 void kernel_plane_drag(const struct kernel_row *kernel, bool central, struct plane_table *table)
 {
     enum { FINE = 16, STEPS = PLANE_STEPS * FINE }; /* midpoints, from the edge of the support inwards */
@@ -159,10 +160,10 @@ void kernel_plane_drag(const struct kernel_row *kernel, bool central, struct pla
     }
     for (int k = STEPS - 1; k >= 0; k--) {
         double q = (k + 0.5) * fine, w = kernel->value(q), five = 3 * second / fourth;
-        double along = beyond + w * q * fine / 2, across = w * q * q;
+        double along = beyond + w * q * fine / 2;
         beyond += w * q * fine;
         for (int a = 0; a < 2; a++) {
-            double part = scale * (!central ? w : five * (a ? across : along));
+            double part = scale * (central && a == 0 ? five * along : w);
             lever[a] += (drag[a] + part / 2) * fine;
             drag[a] += part;
             if (k % FINE == 0) {

@@ -59,9 +59,9 @@ double kernel_plane_excess(const struct kernel_row *kernel, double support,
                            const struct plane_table *table);
 void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table);
 
-/* Drag and lever anew for viscosity along the line of centres (kernel_lattice_central): W'/r times
- * 5 c x^2 along the plane and 5 c z^2 across it, c = integral of w q^2 / (5/3 integral of w q^4). Without
- * `central` times 1, as kernel_plane_table makes them. */
+/* Drag and lever anew for viscosity along the line of centres (kernel_lattice_central): along the plane
+ * W'/r times 5 c x^2, c = integral of w q^2 / (5/3 integral of w q^4). Across it, and without `central`
+ * along it, times 1, as kernel_plane_table makes them. */
 void kernel_plane_drag(const struct kernel_row *kernel, bool central, struct plane_table *table);
 
 #endif
