@@ -30,7 +30,6 @@ struct cloud {
     uint32_t *axis[3], *wall_axis[3];
     float *number; /* w sums */
     float *rest;   /* rest density of each particle */
-    float *fringe; /* 1 of every third particle */
     struct rows rows, wall_rows;
     struct pair_constants constants;
     struct explicit_constants each; /* of diffusion */
@@ -113,6 +112,7 @@ static inline void cloud_constants(struct cloud *c)
     c->constants.self = 1;
     c->constants.viscosity = 2 * 0.7f;
     c->constants.inverse_h = 1;
+    c->constants.central = 4;
     c->constants.artificial = 300;
     c->constants.diffusion = 0.02f;
     c->constants.gradient = c->constants.density = (float)(0.4 * d * d * d);
@@ -164,9 +164,6 @@ static inline void cloud_make(struct cloud *c, enum cloud_kind kind, size_t coun
                                       FIELD_BIT(FIELD_POSITION) | FIELD_BIT(FIELD_ID), &e), 0);
     c->number = calloc(count + 2 * PARTICLE_BLOCK, sizeof *c->number);
     c->rest = calloc(count + 2 * PARTICLE_BLOCK, sizeof *c->number);
-    c->fringe = calloc(count + 2 * PARTICLE_BLOCK, sizeof *c->number);
-    for (size_t i = 0; i < count; i += 3)
-        c->fringe[i] = 1;
     cloud_constants(c);
     cloud_place(c, kind, &c->particles, &seed);
     cloud_place(c, kind, &c->wall, &seed);
@@ -189,7 +186,6 @@ static inline void cloud_free(struct cloud *c)
         free(c->axis[a]), free(c->wall_axis[a]);
     free(c->number);
     free(c->rest);
-    free(c->fringe);
 }
 
 /* Runs a pass over the whole cloud; results are in `number` or in the field rate. */
@@ -202,7 +198,6 @@ static inline void cloud_run(struct cloud *c, pair_function *pass)
     struct pair_work work = {.constants = c->constants,
                              .diffusion = &diffusion,
                              .rest = c->rest,
-                             .fringe = c->fringe,
                              .position = particles_position(p),
                              .motion = particles_motion(p),
                              .viscosity = p->now[FIELD_VISCOSITY],

@@ -55,7 +55,7 @@ static inline double reference_number(const struct cloud *c, unsigned flags, siz
 
 /* One side of a pair: a particle, or a wall particle as i sees it. */
 struct reference_side {
-    double volume, velocity[3], pressure, viscosity, rest, fringe;
+    double volume, velocity[3], pressure, viscosity, rest;
 };
 
 static inline struct reference_side reference_side(const struct cloud *c, size_t i)
@@ -66,8 +66,7 @@ static inline struct reference_side reference_side(const struct cloud *c, size_t
         {m->velocity[0], m->velocity[1], m->velocity[2]},
         m->pressure,
         ((const float *)c->particles.now[FIELD_VISCOSITY])[i],
-        c->rest_density[particles_fluid(&c->particles, i)],
-        c->fringe[i]};
+        c->rest_density[particles_fluid(&c->particles, i)]};
 }
 
 /* Adds what j does to i, x = x_i - x_j, both in units of h = 1 m and V in d^3. */
@@ -100,10 +99,10 @@ static inline void reference_add(const struct cloud *c, unsigned flags, struct r
         mu = i->viscosity + j->viscosity;
     if (flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         pull = mu * j->volume * (flags & PAIR_MULLER ? -16.0 / 7 * (q < 2 ? 1 - q / 2 : 0) : slope);
-    double central = flags & PAIR_CENTRAL ? fmax(i->fringe, j->fringe) : 0;
+    double central = flags & PAIR_CENTRAL ? 1 : 0;
     for (int a = 0; a < 3; a++) {
         double drag = (1 - central) * (i->velocity[a] - j->velocity[a]);
-        drag += q > 0 ? 5 * central * dot * x[a] / (q * q) : 0;
+        drag += central * k->central * dot * x[a];
         r->rate[a] += front * (pull * drag - slope * push * x[a]);
         r->scale[a] += front * most * (5 * size + 400 * mean * v) * fmin(q, 1) + front * (15 + 75 * central) * v;
     }
@@ -138,7 +137,7 @@ static inline struct reference reference_rate(const struct cloud *c, unsigned fl
         for (int a = 0; a < 3; a++)
             head -= c->constants.head[a] * c->rest_density[particles_fluid(&c->particles, at)] * x[a];
         struct reference_side other = {wall->volume, {0}, fmax(own + fmin(head, 8 * own), 0),
-                                       i.viscosity, i.rest, 0};
+                                       i.viscosity, i.rest};
         reference_add(c, flags & ~(unsigned)(PAIR_DIFFUSION | PAIR_SYMMETRIC), &r, at, &i, &other, x,
                       q);
     }

@@ -162,6 +162,67 @@ static double lever(const void *p, double depth)
     return (depth - ((const struct plane *)p)->distance) * drag(p, depth);
 }
 
+/* The same times 5 c x^2, for pairs that drag along the line of centres. */
+static double fourth_shell(const void *k, double q)
+{
+    return 5.0 / 3 * q * q * shell(k, q);
+}
+static double central(const struct plane *p)
+{
+    return 5 / (p->kernel->sigma * integrate(fourth_shell, p->kernel, 0, 2, 400));
+}
+static double disc_along(const void *p, double r)
+{
+    return r * r / 2 * disc_slope(p, r);
+}
+static double central_along(const void *p, double depth)
+{
+    return central(p) * disc(p, depth, disc_along);
+}
+
+static void measures_central_drag(void **state)
+{
+    static struct plane_table table;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        kernel_plane_drag(kernels[k], true, &table);
+        for (int step = 0; step <= PLANE_STEPS; step += 64) {
+            double s = 2.0 * step / PLANE_STEPS;
+            struct plane plane = {kernels[k], s, s};
+            double error[2] = {table.drag[0][step] - integrate(central_along, &plane, s, 2, 200),
+                               table.drag[1][step] - integrate(drag, &plane, s, 2, 200)};
+            for (int i = 0; i < 2; i++)
+                if (!(fabs(error[i]) < 2e-4))
+                    fail_msg("%s, axis %d at %g is off by %g", kernels[k]->variant.name, i, s, error[i]);
+        }
+    }
+}
+
+/* Resistance of the lattice to shear along its axes, of Morris's operator's. */
+static double shear(const struct kernel_row *kernel, double support)
+{
+    double h = support / 2, sum = 0, laplacian = 0;
+    int reach = (int)ceil(support);
+    for (int z = -reach; z <= reach; z++)
+        for (int y = -reach; y <= reach; y++)
+            for (int x = -reach; x <= reach; x++) {
+                double q = sqrt(x * x + y * y + z * z) / h;
+                double slope = q > 0 && q < 2 ? kernel->slope(q) : 0;
+                sum += slope * x * x * y * y / (h * h);
+                laplacian += slope * x * x;
+            }
+    return kernel_lattice_central(kernel, support) * sum / laplacian;
+}
+
+static void shears_lattices(void **state)
+{
+    (void)state;
+    assert_true(fabs(shear(&kernel_cubic_spline, 2) - 0.947) < 1e-3);
+    for (int k = 0; k < 2; k++)
+        for (double support = 2.3; support < 3.5; support += 0.1)
+            assert_true(fabs(shear(kernels[k], support) - 1) < 0.03);
+}
+
 static void measures_half_spaces(void **state)
 {
     static struct plane_table table;
@@ -171,8 +232,8 @@ static void measures_half_spaces(void **state)
         for (int step = 0; step <= PLANE_STEPS; step += 32) {
             double s = 2.0 * step / PLANE_STEPS;
             struct plane plane = {kernels[k], s, s};
-            double error[2] = {table.drag[step] - integrate(drag, &plane, s, 2, 400),
-                               table.lever[step] - integrate(lever, &plane, s, 2, 400)};
+            double error[2] = {table.drag[0][step] - integrate(drag, &plane, s, 2, 400),
+                               table.lever[0][step] - integrate(lever, &plane, s, 2, 400)};
             for (int i = 0; i < 2; i++)
                 if (!(fabs(error[i]) < 1e-4))
                     fail_msg("%s, integral %d at %g is off by %g", kernels[k]->variant.name, i, s,
@@ -235,7 +296,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(integrates_to_one), cmocka_unit_test(bodies_agree),
         cmocka_unit_test(ends_at_two),       cmocka_unit_test(sums_lattices),
-        cmocka_unit_test(measures_half_spaces), cmocka_unit_test(measures_layers),
+        cmocka_unit_test(measures_half_spaces), cmocka_unit_test(measures_central_drag),
+        cmocka_unit_test(shears_lattices),  cmocka_unit_test(measures_layers),
         cmocka_unit_test(knows_lattices),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

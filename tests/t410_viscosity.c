@@ -1,9 +1,7 @@
-/* Tests implicit viscosity: against the series of start-up flows (Morris et al. 1997), against the
- * explicit pass, and that it takes kinetic energy, whatever its size. */
+/* Tests implicit viscosity: against the series of start-up flows, against the explicit pass, and that it
+ * takes kinetic energy, whatever its size. Its two operators: t416. */
 #include "base/exact_sum.h"
-#include "world.h"
-
-#define PI 3.14159265358979323846
+#include "start_up.h"
 
 /* Sums have the same bits in any order, and are exact where doubles are not. */
 static void sums(void **state)
@@ -33,89 +31,20 @@ static void sums(void **state)
     assert_true(isnan(exact_value(&bad)));
 }
 
-struct flow {
-    double width, nu, fastest; /* m, m^2/s, m/s */
-    bool couette;
-};
-
-static double driving(const struct flow *f)
-{
-    return f->couette ? 0 : 8 * f->nu * f->fastest / (f->width * f->width);
-}
-
-/* Poiseuille: F/(2 nu) y (H - y) - sum_n 4 F H^2/(nu k^3) sin(k y/H) exp(-k^2 nu t/H^2), odd n
- * Couette: U y/H + sum_n 2U/k (-1)^n sin(k y/H) exp(-k^2 nu t/H^2); k = n pi */
-static double exact(const struct flow *f, double y, double t)
-{
-    double w = f->width, drive = driving(f), sum = drive / (2 * f->nu) * y * (w - y);
-    if (f->couette)
-        sum = f->fastest * y / w;
-    for (int n = 1; n < 120; n += f->couette ? 1 : 2) {
-        double k = n * PI, fade = sin(k * y / w) * exp(-k * k * f->nu * t / (w * w));
-        sum += f->couette ? 2 * f->fastest / k * (n % 2 ? -1 : 1) * fade
-                          : -4 * drive * w * w / (f->nu * k * k * k) * fade;
-    }
-    return sum;
-}
-
-static void open_flow(struct world *w, const struct flow *f, int across, const char *viscosity,
-                      double dt)
-{
-    double d = f->width / across, length = 7 * d;
-    world_open(w,
-        "{\"gravity\": [%.17g, 0, 0], \"particles\": {\"spacing\": %.17g},\n"
-        "\"time\": {\"end\": 20, \"step\": %.17g},\n"
-        "\"domain\": {\"min\": [0, 0, 0], \"max\": [%.17g, %.17g, %.17g], \"no_slip\": true,\n"
-        "\"wall_velocity\": {\"+y\": [%.17g, 0, 0]}, \"walls\": "
-        "{\"-x\": \"periodic\", \"+x\": \"periodic\", \"-z\": \"periodic\", \"+z\": \"periodic\"}},\n"
-        "\"fluids\": [{\"density\": 1000, \"viscosity\": %.17g}],\n"
-        "\"bodies\": [{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [%.17g, %.17g, %.17g]}],\n"
-        "\"solver\": {\"method\": \"dfsph\", \"viscosity\": \"%s\"}}",
-        driving(f), d, dt, length, f->width, length, f->couette ? f->fastest : 0, 1000 * f->nu,
-        length, f->width, length, viscosity);
-}
-
-/* The largest L2 error of u at the two latest times of the reference, t nu/H^2 = 0.225 and 1, with
- * steps of `times` the explicit limit, where the flow allows. */
-static double run(const struct flow *f, int across, const char *viscosity, double times)
-{
-    static const double moments[] = {0.225, 1};
-    struct world w;
-    double d = f->width / across, most = 0, limit = 0.125 * d * d / f->nu;
-    open_flow(&w, f, across, viscosity, times * limit);
-    for (int k = 0; k < 2; k++) {
-        double t = moments[k] * f->width * f->width / f->nu, sum = 0, all = 0;
-        world_advance(&w, t);
-        for (size_t i = 0; i < world_state(&w)->count; i++) {
-            double u = exact(f, world_metres(&w, i, 1), t);
-            double e = (double)particles_motion(world_state(&w))[i].velocity[0] - u;
-            sum += e * e, all += u * u;
-        }
-        const struct solve_stats *solve = &w.simulation.stats.solves[SOLVE_VISCOSITY];
-        print_message("# %s H/d %d nu %g %s: %ld steps, mean %.3g limits; t nu/H^2 = %-5g L2 error "
-                      "%.2f %%; %.1f iterations a step\n",
-                      f->couette ? "Couette" : "Poiseuille", across, f->nu, viscosity,
-                      w.simulation.stats.steps,
-                      w.simulation.stats.dt_sum / (double)w.simulation.stats.steps / limit,
-                      moments[k], 100 * sqrt(sum / all),
-                      (double)solve->sweeps / (double)w.simulation.stats.steps);
-        assert_int_equal(solve->unsolved, 0);
-        most = fmax(most, sqrt(sum / all));
-    }
-    world_close(&w);
-    return most;
-}
+#define EXPLICIT "\"dfsph\", \"viscosity\": \"explicit\""
+#define IMPLICIT "\"dfsph\", \"viscosity\": \"implicit\""
+#define AUTO "\"dfsph\""
 
 static void gentle(void **state)
 {
     (void)state;
     const struct flow f = {1, 0.1, 1.5, false}, c = {1, 0.1, 1.5, true};
-    assert_true(run(&f, 10, "explicit", 1) < 0.04);
-    assert_true(run(&f, 10, "implicit", 1) < 0.04);
-    assert_true(run(&c, 10, "explicit", 1) < 0.04);
-    assert_true(run(&c, 10, "implicit", 1) < 0.04);
-    assert_true(run(&f, 20, "explicit", 1) < 0.03);
-    assert_true(run(&f, 20, "implicit", 1) < 0.03);
+    assert_true(start_up(&f, 10, EXPLICIT, 1) < 0.04);
+    assert_true(start_up(&f, 10, IMPLICIT, 1) < 0.04);
+    assert_true(start_up(&c, 10, EXPLICIT, 1) < 0.04);
+    assert_true(start_up(&c, 10, IMPLICIT, 1) < 0.04);
+    assert_true(start_up(&f, 20, EXPLICIT, 1) < 0.03);
+    assert_true(start_up(&f, 20, IMPLICIT, 1) < 0.03);
 }
 
 /* Steps that are as long as the flow allows: backward Euler is of first order in time. */
@@ -124,12 +53,12 @@ static void stiff(void **state)
     (void)state;
     const struct flow water = {1e-3, 1e-6, 1.25e-5, false}, thick = {1, 200, 1.5, false};
     const struct flow wall = {1, 100, 1.5, true};
-    assert_true(run(&water, 10, "auto", 10) < 0.05);
-    assert_true(run(&water, 20, "auto", 10) < 0.05);
-    assert_true(run(&water, 10, "auto", 1000) < 0.2);
-    assert_true(run(&thick, 10, "auto", 100) < 0.2);
-    assert_true(run(&thick, 20, "auto", 100) < 0.1);
-    assert_true(run(&wall, 10, "auto", 100) < 0.2);
+    assert_true(start_up(&water, 10, AUTO, 10) < 0.05);
+    assert_true(start_up(&water, 20, AUTO, 10) < 0.05);
+    assert_true(start_up(&water, 10, AUTO, 1000) < 0.2);
+    assert_true(start_up(&thick, 10, AUTO, 100) < 0.2);
+    assert_true(start_up(&thick, 20, AUTO, 100) < 0.1);
+    assert_true(start_up(&wall, 10, AUTO, 100) < 0.2);
 }
 
 /* The particles' velocities in order of id; their count. */
@@ -143,7 +72,7 @@ static size_t velocities(struct world *w, float (*out)[3], size_t room)
 }
 
 /* sqrt(sum |a - b|^2 / sum |a|^2) of explicit and implicit viscosity, in small steps. */
-static double difference(const char *name, const char *domain, const char *fluids,
+static double difference(const char *name, const char *form, const char *domain, const char *fluids,
                          const char *bodies, double dt, double end)
 {
     static float v[2][4000][3];
@@ -154,8 +83,9 @@ static double difference(const char *name, const char *domain, const char *fluid
         world_open(&w, "{\"gravity\": [1.2, 0, 0], \"particles\": {\"spacing\": 0.1},\n"
                        "\"time\": {\"end\": 9, \"step\": %g}, \"domain\": {%s},\n"
                        "\"fluids\": [%s], \"bodies\": [%s],\n\"solver\": {\"method\": \"dfsph\", "
-                       "\"viscosity_error\": 1e-5, \"viscosity\": \"%s\"}}",
-                   dt, domain, fluids, bodies, k ? "implicit" : "explicit");
+                       "\"viscosity_form\": \"%s\", \"viscosity_error\": 1e-5, \"viscosity\": \"%s\"}}",
+                   dt, domain, fluids, bodies, form, k ? "implicit" : "explicit");
+        assert_int_equal((w.plan.choice.flags & PAIR_CENTRAL) != 0, strcmp(form, "weiler") == 0);
         assert_int_equal(w.plan.choice.implicit_viscosity, k);
         world_advance(&w, end);
         count = velocities(&w, v[k], 4000);
@@ -166,14 +96,13 @@ static double difference(const char *name, const char *domain, const char *fluid
             double e = (double)v[1][i][a] - (double)v[0][i][a];
             sum += e * e, all += (double)v[0][i][a] * (double)v[0][i][a];
         }
-    print_message("# %s, steps of %g s to %g s: implicit - explicit %.2g of |v|\n", name,
+    print_message("# %s, %s, steps of %g s to %g s: implicit - explicit %.2g of |v|\n", name, form,
                   dt, end, sqrt(sum / all));
     return sqrt(sum / all);
 }
 
-static void same_operator(void **state)
+static void same_operator(const char *form)
 {
-    (void)state;
     const char *box = "{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.7, 1, 0.7]}";
     const char *off = "{\"shape\": \"box\", \"min\": [0, 0.05, 0], \"max\": [0.7, 0.95, 0.7]}";
     const char *two = "{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.7, 0.5, 0.7]},"
@@ -189,12 +118,24 @@ static void same_operator(void **state)
         snprintf(domain[k], sizeof domain[k], "\"min\": [0, 0, 0], \"max\": [0.7, 1, 0.7], %s"
                  "\"walls\": {%s%s}", more[k], periodic, walls[k]);
     const char *one = "{\"density\": 1000, \"viscosity\": 200}";
-    assert_true(difference("moving plane", domain[0], one, box, 2e-4, 0.1) < 1e-3);
-    assert_true(difference("wall particles", domain[1], one, off, 2e-4, 0.1) < 1e-3);
+    assert_true(difference("moving plane", form, domain[0], one, box, 2e-4, 0.1) < 1e-3);
+    assert_true(difference("wall particles", form, domain[1], one, off, 2e-4, 0.1) < 1e-3);
     /* Not for long: pressure amplifies any difference where the fluids' layers meet. */
-    assert_true(difference("two fluids", domain[2],
+    assert_true(difference("two fluids", form, domain[2],
                            "{\"name\": \"a\", \"density\": 1000, \"viscosity\": 200}, "
                            "{\"name\": \"b\", \"density\": 500, \"viscosity\": 5}", two, 2e-5, 1e-4) < 1e-4);
+}
+
+static void same_laplacian(void **state)
+{
+    (void)state;
+    same_operator("morris");
+}
+
+static void same_along_centres(void **state)
+{
+    (void)state;
+    same_operator("weiler");
 }
 
 /* Mean energies per kg, and that the state is finite. */
@@ -259,8 +200,8 @@ static double drift(struct world *w)
     return sum;
 }
 
-/* Kinetic energy falls, step by step, at any viscosity, but for residuals; momentum stays. Angular momentum does not:
- * the operator is that of a Laplacian, and brakes rotation at a free surface. */
+/* Kinetic energy falls, step by step, at any viscosity, but for the first solve of pressure; momentum
+ * stays, but for rounding of what is 1e7 times as stiff as it is heavy. */
 static void takes_energy(void **state)
 {
     (void)state;
@@ -276,8 +217,8 @@ static void takes_energy(void **state)
         for (int k = 0; k < 20; k++) {
             assert_int_equal(simulation_step(&w.simulation, 0.2, &w.error), STATUS_OK);
             energies(&w, &kinetic, &potential);
-            rises = fmax(rises, kinetic / before - 1);
-            assert_true(kinetic <= before * (1 + 1e-4)); /* by the residual that is left */
+            rises = k ? fmax(rises, kinetic / before - 1) : 0;
+            assert_true(kinetic <= before * (1 + (k ? 1e-4 : 3e-4)));
             before = kinetic;
         }
         double momentum = drift(&w) / start;
@@ -285,7 +226,7 @@ static void takes_energy(void **state)
                       "most; momentum off by %.2g; %s\n", mu,
                       w.simulation.time, kinetic / first, rises, momentum - 1,
                       w.plan.choice.implicit_viscosity ? "implicit" : "explicit");
-        assert_float_equal(momentum, 1, 3e-4); /* by the residual that is left */
+        assert_float_equal(momentum, 1, mu < 1e6 ? 1e-5 : 3e-4);
         world_close(&w);
     }
 }
@@ -301,6 +242,7 @@ static void unused(void **state)
         world_open(&w, HONEY(-9.81, "", mu[k]));
         bool has = w.plan.fields & fields;
         assert_int_equal(has, mu[k] > 1);
+        assert_int_equal((w.plan.fields & FIELD_BIT(FIELD_BLOCK)) != 0, mu[k] > 1);
         assert_int_equal(w.plan.choice.implicit_viscosity, mu[k] > 1);
         for (size_t i = 0; i < w.plan.pass_count; i++)
             assert_true(has || w.plan.passes[i]->id != PASS_DRAG_MATRIX);
@@ -313,7 +255,8 @@ int main(void)
 {
     log_set_level(LOG_ERROR);
     const struct CMUnitTest tests[] = {cmocka_unit_test(sums), cmocka_unit_test(gentle),
-                                       cmocka_unit_test(stiff), cmocka_unit_test(same_operator),
+                                       cmocka_unit_test(stiff), cmocka_unit_test(same_laplacian),
+                                       cmocka_unit_test(same_along_centres),
                                        cmocka_unit_test(honey), cmocka_unit_test(takes_energy),
                                        cmocka_unit_test(unused)};
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -50,6 +50,17 @@ result $? "summation has a density pass"
 plan -o null --set domain.walls.-y=particles
 has "wall particles" "wall particles are planned where they are used"
 lacks "wall particles: no face" "and not left out"
+sed '/"solver"/d' "$work/scene.json" >"$work/thick.json"
+memory() { # ARGUMENTS...: fields of thick fluid, with the default solver
+    "$SPH" "$work/thick.json" --plan -o null --set fluids.0.viscosity=1e4 "$@" 2>"$work/out" |
+        grep '^memory' | tee -a "$work/out"
+}
+memory | grep -q ' search .* block '
+result $? "viscosity along the line of centres has blocks"
+memory --set 'solver.viscosity_form="morris"' | grep ' search ' | grep -qv ' block '
+result $? "a Laplacian has none"
+memory --set 'solver.viscosity="explicit"' | grep ' rate ' | grep -qvE ' (block|search|remainder) '
+result $? "nor has explicit viscosity"
 
 plan -o null --set solver.diffusion=0.1
 has "passes gradient, diffusion: force adds" "Fourtakas's diffusion needs no passes"

@@ -19,6 +19,7 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_WARM] = {"warm", "pressures that solves hand on", 3 * sizeof(float), 1},
     [FIELD_SEARCH] = {"search", "search direction, viscosity", 4 * sizeof(float), 0},
     [FIELD_REMAINDER] = {"remainder", "residual of viscosity, drag of planes", 4 * sizeof(float), 0},
+    [FIELD_BLOCK] = {"block", "preconditioner of viscosity, drag of planes", 9 * sizeof(float), 0},
     [FIELD_SHIFT] = {"shift", "velocity of shifting, depth in the fluid", 4 * sizeof(float), 2},
     [FIELD_SURFACE] = {"surface", "whether at a surface", sizeof(float), 2},
     [FIELD_STENCIL] = {"stencil", "kernel sums, walls and surface around", 32 * sizeof(float), 0},

@@ -36,6 +36,7 @@ enum field {
     FIELD_WARM,      /* struct warm (solver/implicit.h) */
     FIELD_SEARCH,    /* struct drag (solver/drag.h): search direction of implicit viscosity */
     FIELD_REMAINDER, /* struct drag: its residual */
+    FIELD_BLOCK,     /* struct drag_block: its preconditioner along the line of centres */
     FIELD_SHIFT,     /* struct shift (solver/shift.h) */
     FIELD_SURFACE,   /* float: 0 inside the fluid, 1 at its surface (solver/shift.h) */
     FIELD_NORMAL,    /* struct normal (solver/tension.h) */

@@ -74,6 +74,7 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
         return c->implicit_viscosity;
     case PASS_DRAG_DIAGONAL:
     case PASS_DRAG_RESIDUAL:
+    case PASS_DRAG_END:
     case PASS_SOLVE_VISCOSITY:
         return c->implicit_viscosity;
     default:
@@ -108,6 +109,8 @@ static void plan_fields(struct plan *plan)
         fields |= FIELD_BIT(FIELD_FLUID);
     else
         omit(plan, "field fluid: one fluid");
+    if (plan->choice.implicit_viscosity && plan->choice.flags & PAIR_CENTRAL)
+        fields |= FIELD_BIT(FIELD_BLOCK);
     if (plan->choice.implicit_viscosity)
         omit(plan, "field viscosity: search holds it");
     else if (plan->choice.flags & PAIR_OWN_VISCOSITY)

@@ -31,7 +31,12 @@ static void write_viscosity(const struct solver_choice *c, FILE *out)
     if (c->implicit_viscosity)
         fprintf(out, "; to a residual of %g, at most %d iterations",
                 c->solves[SOLVE_VISCOSITY].tolerance, c->solves[SOLVE_VISCOSITY].most);
-    fputs("\n", out);
+    fprintf(out, "\n               %s: %s\n",
+            c->flags & PAIR_CENTRAL ? "weiler, along the line of centres, free of stress at surfaces"
+                                    : "morris, a Laplacian",
+            c->form_asked ? "the scene says so"
+            : c->enclosed ? "fluid fills the domain"
+                          : "fluid does not fill the domain");
 }
 
 static void write_solves(const struct solver_choice *c, FILE *out)
@@ -81,8 +86,6 @@ static void write_terms(const struct solver_choice *c, FILE *out)
                                                                               : "average");
     if (c->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         fprintf(out, ", viscosity%s", c->flags & PAIR_OWN_VISCOSITY ? " per fluid" : "");
-    if (c->flags & PAIR_CENTRAL)
-        fputs(" (free of stress at surfaces)", out);
     if (c->flags & PAIR_ARTIFICIAL)
         fputs(", artificial viscosity", out);
     if (c->flags & PAIR_CONTINUITY)

@@ -177,13 +177,15 @@ static inline bool explicit_open(const struct explicit_constants *c, const struc
     return near;
 }
 
-/* Drag of a plane at q with no_slip, 1/s, where `part` of it counts. */
-static inline float explicit_drag(const struct explicit_constants *c, int fluid, float q,
-                                  float part, float density)
+/* Drag of a plane across axis n at q with no_slip, 1/s along each axis, where `part` of it counts. */
+static inline void explicit_drag(const struct explicit_constants *c, int fluid, int n, float q,
+                                 float part, float density, float drag[3])
 {
     float near = 0.5f * c->spacing / c->h, lever = 1 / (q > near ? q : near);
-    float drag = plane_value(c->planes.drag, q) + plane_value(c->planes.lever, q) * lever;
-    return 2 * c->viscosity[fluid] / (density * c->h * c->h) * part * drag;
+    float scale = 2 * c->viscosity[fluid] / (density * c->h * c->h) * part;
+    for (int a = 0; a < 3; a++)
+        drag[a] = scale * (plane_value(c->planes.drag[a == n], q) +
+                           plane_value(c->planes.lever[a == n], q) * lever);
 }
 
 /* Half spaces of wall behind closed faces, by closed integrals. The wall repeats the particle's
@@ -221,9 +223,10 @@ static inline void explicit_walls(const struct explicit_constants *c, int fluid,
         }
         if (!c->no_slip || c->viscosity[fluid] == 0)
             continue;
-        float scale = explicit_drag(c, fluid, q, part, density);
+        float drag[3];
+        explicit_drag(c, fluid, n, q, part, density, drag);
         for (int a = 0; a < 3; a++)
-            rate->acceleration[a] -= scale * (v->velocity[a] - c->wall_velocity[face][a]);
+            rate->acceleration[a] -= drag[a] * (v->velocity[a] - c->wall_velocity[face][a]);
     }
 }
 

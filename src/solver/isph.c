@@ -26,6 +26,7 @@ static const enum pass_id passes[] = {
     PASS_SLOPES,
     PASS_DRAG_BEGIN, PASS_DRAG_DIAGONAL, PASS_DRAG_RESIDUAL,
     PASS_SOLVE_VISCOSITY, PASS_DRAG_MATRIX, PASS_DRAG_STEP, PASS_SOLVED,
+    PASS_DRAG_END,
     PASS_DRIFT,
 };
 
@@ -69,10 +70,7 @@ static void choose(const struct scene *scene, struct solver_choice *choice)
         scene_real(scene, "solver.divergence_error"), 0, most, 1, 0};
     choice->solves[SOLVE_SHIFT] = (struct solve_limits){
         scene_real(scene, "solver.density_error"), 0, most, 1, 0};
-    choice->limits.viscous *= 0.6; /* for accuracy: start-up of channel flow; and PAIR_CENTRAL */
     viscosity_choose(scene, choice);
-    if (!choice->enclosed && choice->flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
-        choice->flags |= PAIR_CENTRAL; /* stiffer by 5/3 for compression, which pressure undoes */
 }
 
 const struct solver_row solver_isph = {

@@ -42,6 +42,21 @@ double kernel_lattice_moment(const struct kernel_row *kernel, double support)
     return sum * kernel->sigma / (h * h * h * h * h);
 }
 
+double kernel_lattice_central(const struct kernel_row *kernel, double support)
+{
+    double h = support / 2, second = 0, fourth = 0;
+    int reach = (int)ceil(support);
+    for (int z = -reach; z <= reach; z++)
+        for (int y = -reach; y <= reach; y++)
+            for (int x = -reach; x <= reach; x++) {
+                double q = sqrt(x * x + y * y + z * z) / h;
+                double part = q > 0 && q < 2 ? x * x * kernel->slope(q) : 0;
+                second += part;
+                fourth += part * q * q;
+            }
+    return 5 * second / fourth;
+}
+
 double kernel_lattice_slope(const struct kernel_row *kernel, double support)
 {
     double h = support / 2, sum = 0;
@@ -130,21 +145,39 @@ static void layer_table(const struct kernel_row *kernel, double support, struct 
     }
 }
 
-void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table)
+/* Over a sheet at depth z the integral of -W'/r is 2 pi W(z), and that of -W'/r x^2 is 2 pi times the
+ * integral of r W from z on. That of -W'/r z^2, across the plane, is not taken: it reaches so far that a
+ * wall would hold off a thick body that only comes near, and without any drag it would sink in. */
+void kernel_plane_drag(const struct kernel_row *kernel, bool central, struct plane_table *table)
 {
-    enum { FINE = 16 }; /* midpoint steps per table entry, from the edge of the support inwards */
-    const double pi = 3.14159265358979323846, fine = 2.0 / PLANE_STEPS / FINE;
-    double drag = 0, lever = 0;
-    *table = (struct plane_table){0};
-    for (int k = PLANE_STEPS * FINE - 1; k >= 0; k--) {
-        double q = (k + 0.5) * fine, w = 2 * pi * kernel->sigma * kernel->value(q) * fine;
-        lever += (drag + w / 2) * fine;
-        drag += w;
-        if (k % FINE == 0) {
-            table->drag[k / FINE] = (float)drag;
-            table->lever[k / FINE] = (float)lever;
+    enum { FINE = 16, STEPS = PLANE_STEPS * FINE }; /* midpoints, from the edge of the support inwards */
+    const double fine = 2.0 / STEPS, scale = 2 * 3.14159265358979323846 * kernel->sigma * fine;
+    double drag[2] = {0}, lever[2] = {0}, beyond = 0, second = 0, fourth = 0;
+    for (int k = 0; k < STEPS; k++) {
+        double q = (k + 0.5) * fine, part = kernel->value(q) * q * q;
+        second += part;
+        fourth += part * q * q;
+    }
+    for (int k = STEPS - 1; k >= 0; k--) {
+        double q = (k + 0.5) * fine, w = kernel->value(q), five = 3 * second / fourth;
+        double along = beyond + w * q * fine / 2;
+        beyond += w * q * fine;
+        for (int a = 0; a < 2; a++) {
+            double part = scale * (central && a == 0 ? five * along : w);
+            lever[a] += (drag[a] + part / 2) * fine;
+            drag[a] += part;
+            if (k % FINE == 0) {
+                table->drag[a][k / FINE] = (float)drag[a];
+                table->lever[a][k / FINE] = (float)lever[a];
+            }
         }
     }
+}
+
+void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table)
+{
+    *table = (struct plane_table){0};
+    kernel_plane_drag(kernel, false, table);
     layer_table(kernel, support, table);
 }
 

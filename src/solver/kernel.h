@@ -5,6 +5,8 @@
 
 #include "base/variant.h"
 
+#include <stdbool.h>
+
 struct kernel_row {
     struct variant variant;
     double support;           /* usual support radius / particle spacing */
@@ -25,6 +27,11 @@ double kernel_lattice_sum(const struct kernel_row *kernel, double support);
  * should be, and a parabola M times its Laplacian, so gradients are divided by it. */
 double kernel_lattice_moment(const struct kernel_row *kernel, double support);
 
+/* What makes viscosity along the line of centres, with pairs that count q^2 times, as large as Morris's
+ * on the lattice, in the mean over all directions: 5 sum x^2 W'/r / sum x^2 q^2 W'/r. Its resistance to
+ * shear along the axes is then within 3 % of that from 2.3 d on, 5 % too low at 2 d (cubic spline). */
+double kernel_lattice_central(const struct kernel_row *kernel, double support);
+
 /* Sum of w'(q)/q over the lattice without its origin. */
 double kernel_lattice_slope(const struct kernel_row *kernel, double support);
 
@@ -44,12 +51,17 @@ int kernel_lattice_neighbours(double support);
 enum { PLANE_STEPS = 512 };
 struct plane_table {
     float area[PLANE_STEPS + 2], volume[PLANE_STEPS + 2]; /* at q = 2 k / PLANE_STEPS */
-    float drag[PLANE_STEPS + 2], lever[PLANE_STEPS + 2];
+    float drag[2][PLANE_STEPS + 2], lever[2][PLANE_STEPS + 2]; /* along the plane and across it */
 };
 /* Largest excess of the summed density of a lattice that stands half a spacing off a plane of the
  * table, relative: layers behind the plane are smooth, those in front are points. */
 double kernel_plane_excess(const struct kernel_row *kernel, double support,
                            const struct plane_table *table);
 void kernel_plane_table(const struct kernel_row *kernel, double support, struct plane_table *table);
+
+/* Drag and lever anew for viscosity along the line of centres (kernel_lattice_central): along the plane
+ * W'/r times 5 c x^2, c = integral of w q^2 / (5/3 integral of w q^4). Across it, and without `central`
+ * along it, times 1, as kernel_plane_table makes them. */
+void kernel_plane_drag(const struct kernel_row *kernel, bool central, struct plane_table *table);
 
 #endif

@@ -13,7 +13,7 @@ enum pair_flag {
     PAIR_SYMMETRIC = 128,    /* pressure form V_i^2 p_i + V_j^2 p_j */
     PAIR_DRAG_ONLY = 256,    /* no pressure: an implicit solver pushes */
     PAIR_MIXED = 512,        /* average form where rest densities differ; with own viscosities */
-    PAIR_CENTRAL = 1024,     /* viscosity along the line of centres where a surface is near */
+    PAIR_CENTRAL = 1024,     /* viscosity along the line of centres */
     PAIR_FLAGS_END = 2048
 };
 
@@ -25,6 +25,7 @@ struct pair_constants {
     float self;         /* w(0) */
     float viscosity;    /* 2 mu / h, Pa s/m */
     float inverse_h;    /* 1/m */
+    float central;      /* of viscosity along the line of centres (kernel_lattice_central) */
     float artificial;   /* alpha c0 rho0, Pa s/m; with PAIR_MIXED alpha c0, m/s */
     float diffusion;    /* 2 delta / c0, s/m */
     float head[3];      /* g h, m^2/s^2: times rest density, the hydrostatic difference per q;

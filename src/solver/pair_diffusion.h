@@ -3,7 +3,7 @@
 #define SOLVER_PAIR_DIFFUSION_H
 
 #include "solver/diffusion.h"
-#include "solver/pair.h"
+#include "solver/pair_shift.h"
 
 struct pair_gradients {
     real xx, xy, xz, yy, yz, zz; /* sum of V_j W'/r x x^T */
@@ -32,7 +32,7 @@ static inline __attribute__((always_inline)) void pair_gradient_solve(real g[3],
                               const struct pair_gradients *s, real stiffness)
 {
     real zero = real_set(0), one = real_set(1), size = zero - (s->xx + s->yy + s->zz);
-    real scale = real_set(-1) / pair_either(size, real_set(1e-12f));
+    real scale = real_set(-1) / pair_larger(size, real_set(1e-12f));
     real xx = s->xx * scale, xy = s->xy * scale, xz = s->xz * scale;
     real yy = s->yy * scale, yz = s->yz * scale, zz = s->zz * scale;
     real ax = yy * zz - yz * yz, ay = xz * yz - xy * zz, az = xy * yz - xz * yy;
@@ -40,7 +40,7 @@ static inline __attribute__((always_inline)) void pair_gradient_solve(real g[3],
     real det = real_fma(xz, az, real_fma(xy, ay, xx * ax)), flat = real_set(GRADIENT_FLAT / 27);
     real part = (det - flat) * real_set(27 / (GRADIENT_ROUND - GRADIENT_FLAT));
     part = one - real_positive(one - real_positive(part));
-    real front = part * stiffness * scale / pair_either(det, flat);
+    real front = part * stiffness * scale / pair_larger(det, flat);
     g[0] = front * real_fma(az, s->z, real_fma(ay, s->y, ax * s->x));
     g[1] = front * real_fma(bz, s->z, real_fma(by, s->y, ay * s->x));
     g[2] = front * real_fma(cz, s->z, real_fma(bz, s->y, az * s->x));

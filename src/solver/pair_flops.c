@@ -16,7 +16,7 @@ double pair_force_flops(unsigned flags)
     if (flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY))
         sum += 7;
     if (flags & PAIR_CENTRAL)
-        sum += 21;
+        sum += 6;
     if (flags & PAIR_OWN_VISCOSITY)
         sum += 2;
     if (flags & PAIR_CONTINUITY)

@@ -72,6 +72,7 @@ struct solver_choice {
     struct solve_limits solves[SOLVE_COUNT]; /* by enum solve */
     bool implicit_viscosity; /* by solving, too; limits.viscous is then INFINITY */
     double viscous_step, other_step; /* the explicit viscous limit and the least other, s */
+    bool form_asked;         /* the scene names the operator of viscosity (PAIR_CENTRAL) */
 };
 
 struct solver_row {
@@ -108,7 +109,11 @@ static inline int solver_row_bytes(const struct solver_choice *choice)
      .doc = "viscosity by the force pass, or by solving where that would bound the step"}, \
     {.path = "solver.viscosity_error", .type = KEY_REAL, .flags = KEY_ABOVE_MIN, \
      .fallback = "1e-4", .min = 0, .max = 0.1, .unit = "", .offset = KEY_OPTION, \
-     .doc = "residual of implicit viscosity, relative to the velocity and to its change"}
+     .doc = "residual of implicit viscosity, relative to the velocity and to its change"}, \
+    {.path = "solver.viscosity_form", .type = KEY_CHOICE, .fallback = "\"auto\"", \
+     .choices = "auto|morris|weiler", .unit = "", .offset = KEY_OPTION, \
+     .doc = "weiler: along the line of centres, free of stress at a surface; morris: a Laplacian, " \
+            "right where fluid is enclosed"}
 
 void viscosity_choose(const struct scene *scene, struct solver_choice *choice);
 

@@ -255,6 +255,7 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
     case PASS_DRAG_RESIDUAL: cpu_drag_residual(b, step); break;
     case PASS_DRAG_MATRIX: cpu_solve(b, step, PAIR_PASS_DRAG); break;
     case PASS_DRAG_STEP: cpu_drag_step(b, step); break;
+    case PASS_DRAG_END: cpu_drag_end(b); break;
     case PASS_RESUME: cpu_resume(b, step); break;
     case PASS_MOVE: cpu_move(b, step); break;
     case PASS_REWIND: cpu_rewind(b, step); break;

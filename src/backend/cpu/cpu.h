@@ -72,6 +72,7 @@ void cpu_tension(struct backend *b, enum pair_pass pass, float *pressure);
 void cpu_drag_begin(struct backend *b, const struct step *step);
 void cpu_drag_residual(struct backend *b, struct step *step);
 void cpu_drag_step(struct backend *b, struct step *step);
+void cpu_drag_end(struct backend *b);
 
 /* 1 / rest density, in the present order of the particles. */
 void cpu_invert_densities(struct backend *b);

@@ -24,6 +24,12 @@ static double mass(const struct backend *b, size_t i)
     return (double)b->choice.each.mass[particles_fluid(&b->particles, i)];
 }
 
+static struct drag_block *block_of(const struct backend *b, size_t i)
+{
+    struct drag_block *block = b->particles.now[FIELD_BLOCK];
+    return block ? &block[i] : NULL;
+}
+
 void cpu_drag_begin(struct backend *b, const struct step *step)
 {
     struct particles *p = &b->particles;
@@ -31,16 +37,14 @@ void cpu_drag_begin(struct backend *b, const struct step *step)
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++)
         drag_begin(&b->choice.each, particles_fluid(p, i), step->dt, &cpu_position(b)[i],
-                   &particles_motion(p)[i], &search[i], &remainder[i]);
+                   &particles_motion(p)[i], &search[i], &remainder[i], block_of(b, i));
 }
 
-/* Residual / diagonal. */
-static struct drag conditioned(const struct drag *remainder, const struct drag *product)
+static struct drag conditioned(const struct backend *b, size_t i)
 {
-    struct drag z = {{0, 0, 0}, 0};
-    for (int a = 0; a < 3; a++)
-        z.along[a] = remainder->along[a] / product->own;
-    return z;
+    const struct drag *remainder = b->particles.now[FIELD_REMAINDER];
+    const struct drag *product = b->particles.now[FIELD_FLUX];
+    return drag_conditioned(&remainder[i], &product[i], block_of(b, i));
 }
 
 /* Residuals are relative to the velocities or to the first residual, which is the change by
@@ -62,10 +66,11 @@ void cpu_drag_residual(struct backend *b, struct step *step)
 #pragma omp for schedule(static)
         for (size_t i = 0; i < p->count; i++) {
             struct drag *r = &remainder[i], z;
-            exact_add(&own_squares.first, mass(b, i) * drag_speed2(step->dt, &search[i], r));
+            exact_add(&own_squares.first, mass(b, i) * drag_speed2(step->dt, &search[i], r,
+                                                                    block_of(b, i)));
             for (int a = 0; a < 3; a++)
                 r->along[a] -= product[i].along[a];
-            z = conditioned(r, &product[i]);
+            z = conditioned(b, i);
             exact_add(&own_squares.second, mass(b, i) * drag_dot(r, r));
             exact_add(&own.first, mass(b, i) * drag_dot(r, &z));
             for (int a = 0; a < 3; a++)
@@ -112,7 +117,7 @@ static struct sums go_ahead(struct backend *b, float length)
                 particles_motion(p)[i].velocity[a] += length * search[i].along[a];
                 r->along[a] -= length * product[i].along[a];
             }
-            struct drag z = conditioned(r, &product[i]);
+            struct drag z = conditioned(b, i);
             exact_add(&own.first, mass(b, i) * drag_dot(r, &z));
             exact_add(&own.second, mass(b, i) * drag_dot(r, r));
         }
@@ -125,10 +130,9 @@ static void turn(struct backend *b, float keep)
 {
     struct particles *p = &b->particles;
     struct drag *search = p->now[FIELD_SEARCH];
-    const struct drag *remainder = p->now[FIELD_REMAINDER], *product = p->now[FIELD_FLUX];
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++) {
-        struct drag z = conditioned(&remainder[i], &product[i]);
+        struct drag z = conditioned(b, i);
         for (int a = 0; a < 3; a++)
             search[i].along[a] = z.along[a] + keep * search[i].along[a];
     }
@@ -144,4 +148,15 @@ void cpu_drag_step(struct backend *b, struct step *step)
     turn(b, before > 0 ? (float)(next / before) : 0);
     b->drag.product = next;
     step->residual = square == 0 ? 0 : sqrt(square / b->drag.scale2);
+}
+
+/* v + r = v* + dt (A v + pull): the forces of pairs, as explicit steps add them, cancel in momentum and
+ * what they keep of angular momentum; the residual alone would not. */
+void cpu_drag_end(struct backend *b)
+{
+    const struct drag *remainder = b->particles.now[FIELD_REMAINDER];
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < b->particles.count; i++)
+        for (int a = 0; a < 3; a++)
+            particles_motion(&b->particles)[i].velocity[a] += remainder[i].along[a];
 }

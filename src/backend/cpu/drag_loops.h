@@ -16,14 +16,14 @@ FORCE_INLINE void drag_row(const struct pair_work *w, const struct lane_point *p
         struct pair p = pair_between(point, other);
         if (diagonal)
             p.q = real_below(k, count, p.q, far);
-        pair_drag(s, &p, other[3], self, search, flags);
+        pair_drag(s, &p, other[3], self, search, real_set(w->constants.central), diagonal, flags);
     }
 }
 
 /* Wall particles stand still and drag with i's viscosity, as in the force pass. */
 FORCE_INLINE void drag_wall_row(const struct pair_work *w, const struct lane_point *point,
                                 const real self[4], const uint32_t *row, const uint32_t *count,
-                                struct pair_drags *s, const unsigned flags)
+                                bool diagonal, struct pair_drags *s, const unsigned flags)
 {
     uint32_t length = longest(count);
     real far = real_set(16), zero = real_set(0), wall[4] = {zero, zero, zero, self[3]};
@@ -32,7 +32,7 @@ FORCE_INLINE void drag_wall_row(const struct pair_work *w, const struct lane_poi
         records_load(w->wall, row + (size_t)k * PARTICLE_BLOCK, other);
         struct pair p = pair_between(point, other);
         p.q = real_below(k, count, p.q, far);
-        pair_drag(s, &p, other[3], self, wall, flags);
+        pair_drag(s, &p, other[3], self, wall, real_set(w->constants.central), diagonal, flags);
     }
 }
 
@@ -41,18 +41,23 @@ FORCE_INLINE void drag_store(const struct pair_work *w, size_t i, const struct p
 {
     const struct solve_work *solve = w->solve;
     const struct pair_constants *c = &w->constants;
-    float sum[4][LANES];
-    real_store(sum[0], s->x);
-    real_store(sum[1], s->y);
-    real_store(sum[2], s->z);
-    real_store(sum[3], s->weight);
+    float sum[3][LANES], weight[6][LANES];
+    for (int a = 0; a < 3; a++)
+        real_store(sum[a], s->along[a]);
+    for (int m = 0; m < 6 && diagonal; m++)
+        real_store(weight[m], s->weight[m]);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
         size_t k = i + l;
         float front = c->gradient * c->inverse_h / w->rest_density[solve_fluid(w, k)];
-        float own[3] = {sum[0][l], sum[1][l], sum[2][l]}, wall = solve->remainder[k].own;
-        drag_product(solve->dt, front, &solve->search[k], wall, own, &solve->product[k]);
+        float own[3] = {sum[0][l], sum[1][l], sum[2][l]}, weights[6];
+        const struct drag *remainder = &solve->remainder[k];
+        struct drag_block *block = solve->block ? &solve->block[k] : NULL;
+        drag_product(solve->dt, front, &solve->search[k], remainder, block, own,
+                     &solve->product[k]);
+        for (int m = 0; m < 6 && diagonal; m++)
+            weights[m] = weight[m][l];
         if (diagonal)
-            solve->product[k].own = 1 + solve->dt * (wall - front * sum[3][l]);
+            drag_diagonal(solve->dt, front, weights, remainder, block, &solve->product[k]);
     }
 }
 
@@ -63,13 +68,13 @@ FORCE_INLINE void drag_blocks(const struct pair_work *w, size_t first_block, siz
         const size_t block = i / PARTICLE_BLOCK, lane = i % PARTICLE_BLOCK;
         real volume, self[4], zero = real_set(0);
         struct lane_point point = point_load(w, i, &volume);
-        struct pair_drags s = {zero, zero, zero, zero};
+        struct pair_drags s = {{zero, zero, zero}, {zero, zero, zero, zero, zero, zero}};
         records_load(w->solve->search + i, lane_ramp, self);
         drag_row(w, &point, self, w->rows[block].index + lane, w->row_count + i, diagonal, &s,
                  flags);
         if (w->wall)
             drag_wall_row(w, &point, self, w->wall_rows[block].index + lane,
-                          w->wall_row_count + i, &s, flags);
+                          w->wall_row_count + i, diagonal, &s, flags);
         drag_store(w, i, &s, diagonal);
     }
 }
@@ -85,4 +90,16 @@ FORCE_INLINE void drag_blocks(const struct pair_work *w, size_t first_block, siz
     }
 DRAG(wendland, 0)
 DRAG(cubic, KERNEL_CUBIC)
+DRAG(central_wendland, PAIR_CENTRAL)
+DRAG(central_cubic, PAIR_CENTRAL | KERNEL_CUBIC)
 #undef DRAG
+
+static pair_function *drag_find(bool diagonal, unsigned flags)
+{
+    static pair_function *const functions[2][2][2] = { /* operator, pass, kernel */
+        {{drag_wendland, drag_cubic}, {drag_diagonal_wendland, drag_diagonal_cubic}},
+        {{drag_central_wendland, drag_central_cubic},
+         {drag_diagonal_central_wendland, drag_diagonal_central_cubic}},
+    };
+    return functions[flags & PAIR_CENTRAL ? 1 : 0][diagonal][flags & KERNEL_CUBIC ? 1 : 0];
+}

@@ -59,6 +59,7 @@ struct solve_work {
     struct factor *factor;
     struct warm *warm;
     struct drag *search, *remainder, *product;
+    struct drag_block *block;   /* only with PAIR_CENTRAL */
     float *density;
     int64_t *residual;          /* of each block: error and signed compression, in 2^-40 */
 };
@@ -108,7 +109,6 @@ struct pair_work {
     const struct position *position;
     const struct motion *motion;
     const float *viscosity;    /* per particle, or NULL */
-    const float *fringe;       /* 1 near a surface; only with PAIR_CENTRAL */
     const float *rest;         /* rest density per particle; only with PAIR_MIXED */
     const float *density;      /* present density, kg/m^3; NULL: at rest density */
     const float *rest_density; /* of each fluid, kg/m^3 */
@@ -145,7 +145,7 @@ enum pair_pass {
     PAIR_PASS_PUSH,    /* writes solve->flux */
     PAIR_PASS_PROJECT, /* adds the push to solve->motion */
     PAIR_PASS_SWEEP,
-    PAIR_PASS_DRAG_DIAGONAL, /* writes solve->product */
+    PAIR_PASS_DRAG_DIAGONAL, /* writes solve->product, block */
     PAIR_PASS_DRAG,
     PAIR_PASS_STENCIL, /* writes projection->stencil, density, surface and the rows' weights */
     PAIR_PASS_SURFACE, /* completes projection->stencil, begins unknown */

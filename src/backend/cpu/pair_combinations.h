@@ -1,8 +1,8 @@
 /* The combinations of pair flags that solvers ask for: FORCE(flags) is expanded for each.
  * kernel (0, 1) + viscosity (0 none, 4 shared, 8 own) + 16 artificial + density (0 summation,
  * 32 continuity, 96 continuity with diffusion) + 128 symmetric pressure or 512 different rest
- * densities; 256 + viscosity alone is an implicit solver's, + 1024 along the line of centres near a
- * surface; 2 + ... is Mueller 2003. */
+ * densities; 256 + viscosity alone is an implicit solver's, + 1024 along the line of centres;
+ * 2 + ... is Mueller 2003. */
 FORCE(0) FORCE(1) FORCE(2) FORCE(4) FORCE(5) FORCE(6) FORCE(8) FORCE(9) FORCE(10) FORCE(16)
 FORCE(17) FORCE(18) FORCE(20) FORCE(21) FORCE(22) FORCE(24) FORCE(25) FORCE(26) FORCE(32)
 FORCE(33) FORCE(36) FORCE(37) FORCE(40) FORCE(41) FORCE(48) FORCE(49) FORCE(52) FORCE(53)

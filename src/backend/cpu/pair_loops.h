@@ -137,12 +137,11 @@ FORCE_INLINE struct lane_particle particle_load(const struct pair_work *w, size_
     real rho0 = real_load(rest), zero = real_set(0);
     p.state.inverse_volume = real_load(inverse);
     p.state.rest = rho0;
-    p.state.fringe = flags & PAIR_CENTRAL ? real_load(w->fringe + i) : zero;
     p.constants = (struct pair_lane_constants){
         real_set(w->constants.viscosity), real_set(w->constants.inverse_h),
-        real_set(w->constants.artificial), rho0 * real_set(head[0]),
+        real_set(w->constants.central),   real_set(w->constants.artificial), rho0 * real_set(head[0]),
         rho0 * real_set(head[1]),         rho0 * real_set(head[2])};
-    p.sums = (struct pair_sums){zero, zero, zero, zero, zero};
+    p.sums = (struct pair_sums){{zero, zero, zero}, zero, zero};
     return p;
 }
 
@@ -164,7 +163,6 @@ FORCE_INLINE struct lane_neighbour neighbour_load(const struct pair_work *w,
                                   .vz = motion[2], .pressure = motion[3]};
     n.state.viscosity = flags & PAIR_OWN_VISCOSITY ? lookup_load(w->viscosity, index)
                                                    : real_set(0);
-    n.state.fringe = flags & PAIR_CENTRAL ? lookup_load(w->fringe, index) : real_set(0);
     n.state.rest = flags & PAIR_MIXED ? lookup_load(w->rest, index) : real_set(0);
     return n;
 }
@@ -180,9 +178,8 @@ static inline void rate_store(const struct pair_work *w, size_t i, const struct 
 {
     const struct pair_constants *c = &w->constants;
     float sum[5][LANES];
-    real_store(sum[0], s->ax);
-    real_store(sum[1], s->ay);
-    real_store(sum[2], s->az);
+    for (int a = 0; a < 3; a++)
+        real_store(sum[a], s->a[a]);
     real_store(sum[3], s->divergence);
     real_store(sum[4], s->diffusion);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
@@ -290,8 +287,8 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_PUSH: return cubic ? push_cubic : push_wendland;
     case PAIR_PASS_PROJECT: return cubic ? project_cubic : project_wendland;
     case PAIR_PASS_SWEEP: return cubic ? sweep_cubic : sweep_wendland;
-    case PAIR_PASS_DRAG_DIAGONAL: return cubic ? drag_diagonal_cubic : drag_diagonal_wendland;
-    case PAIR_PASS_DRAG: return cubic ? drag_cubic : drag_wendland;
+    case PAIR_PASS_DRAG_DIAGONAL:
+    case PAIR_PASS_DRAG: return drag_find(pass == PAIR_PASS_DRAG_DIAGONAL, flags);
     case PAIR_PASS_GRADIENT:
     case PAIR_PASS_DIFFUSION: return diffusion_find(pass, flags);
     case PAIR_PASS_SHIFT: return cubic ? shift_cubic : shift_wendland;

@@ -134,7 +134,6 @@ struct pair_work cpu_pair_work(const struct backend *b)
         .rest_density = b->choice.each.rest_density,
         .softness = b->choice.continuity && b->choice.mixed ? b->choice.softness : NULL,
         .fluid = p->now[FIELD_FLUID],
-        .fringe = p->now[FIELD_PRODUCT],
         .shift = p->before[FIELD_SHIFT],
         .rate = particles_rate(p),
         .number = b->number,

@@ -163,7 +163,6 @@ static void surface_blocks(const struct pair_work *w, size_t first_block, size_t
         for (size_t l = 0; l < LANES && i + l < w->count; l++) {
             projection_surface(t->each, t->constants, solve_fluid(w, i + l), out[l], settled(shift[l]),
                                &t->stencil[i + l], &t->unknown[i + l]);
-            t->product[i + l] = t->stencil[i + l].fringe;
         }
     }
 }

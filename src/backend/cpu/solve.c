@@ -72,6 +72,7 @@ void cpu_solve(struct backend *b, struct step *step, enum pair_pass pass)
         .search = p->now[FIELD_SEARCH],
         .remainder = p->now[FIELD_REMAINDER],
         .product = p->now[FIELD_FLUX],
+        .block = p->now[FIELD_BLOCK],
         .density = particles_density(p),
         .residual = b->residual,
     };
