@@ -67,7 +67,7 @@ $(BUILD)/src/backend/cpu/isa_avx2.o:   ISA := -mavx2 -mfma
 $(BUILD)/src/backend/cpu/isa_avx512.o: ISA := -mavx512f -mavx512dq -mavx512vl -mavx512bw -mavx2 -mfma -mprefer-vector-width=512
 
 # The cpu renderer's loops are plain C that the compiler makes vectors of.
-$(BUILD)/src/render/splat_base.o:   ISA := -O3
+$(BUILD)/src/render/splat_scalar.o: ISA := -O3
 $(BUILD)/src/render/splat_avx2.o:   ISA := -O3 -mavx2
 $(BUILD)/src/render/splat_avx512.o: ISA := -O3 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
 

@@ -5,6 +5,7 @@ uniform float far;      // distance at depth 1
 uniform vec3 key_light; // unit vector in camera axes
 uniform vec4 material;  // base, sky, diffuse, facing: src/render/look.h
 uniform float shine;
+uniform float rim;
 
 flat in vec3 center;
 flat in vec3 color;
@@ -35,5 +36,9 @@ void main()
     glance *= glance;
     glance *= glance;
     glance *= glance; // to the power of 8, and below of 24
+    if (facing * facing < rim) {
+        light = min(light, 1.0) * 0.25;
+        glance = 0.0;
+    }
     pixel = vec4(min(color * min(light, 1.0) + shine * glance * glance * glance, vec3(1.0)), 1.0);
 }

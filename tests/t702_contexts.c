@@ -1,4 +1,4 @@
-/* Contexts: every one of the build draws the same picture, and failures say what to do. */
+/* Renderers: every one of the build draws the same picture, and failures say what to do. */
 #include "render_fixture.h"
 
 #include <setjmp.h>

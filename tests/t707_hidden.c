@@ -54,7 +54,7 @@ static size_t check(const struct scene *scene, double radius)
         spheres[i].square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         spheres[i].kept = false;
     }
-    kept = hidden_drop(&camera, packed, COUNT, radius, depth);
+    kept = hidden_drop(&camera, packed, COUNT, radius, 2, depth);
     for (size_t i = 0; i < kept; i++) {
         spheres[packed[i][3]].kept = true;
         assert_true(i == 0 || packed[i][3] > packed[i - 1][3]); /* in their order */

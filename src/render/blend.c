@@ -56,7 +56,8 @@ static bool blend_make(const struct wire_layer *layer, const float (*vertex)[4],
                           .behind = layer->behind,
                           .left = bound(low[0], width), .right = bound(high[0] + 1, width),
                           .top = bound(low[1], height), .bottom = bound(high[1] + 1, height)};
-    memcpy(out->color, layer->color, sizeof out->color);
+    memcpy(out->color, layer->color, 3 * sizeof *out->color);
+    out->color[3] = 1; /* alpha, where there is */
     for (int i = 0; i < 3; i++)
         edge_make(p[i], p[(i + 1) % 3], area > 0 ? 1 : -1, out->edge[i], &out->owns[i]);
     plane_make(p, area, inverse, out->inverse);

@@ -21,11 +21,18 @@ struct canvas {
     char name[64];
 };
 
-enum { SAMPLES = 2, MOST_SAMPLES = 65535 }; /* of width or height: struct ball has 16 bits */
+enum { MOST_SAMPLES = 65535 }; /* of width or height: struct ball has 16 bits */
 
-static const struct splat_isa *isa_find(void)
+/* The instruction set asked for, or the best that the processor has. */
+static const struct splat_isa *isa_find(const char *name)
 {
-    return splat_avx512.supported() ? &splat_avx512 : splat_avx2.supported() ? &splat_avx2 : &splat_base;
+    static const struct splat_isa *const rows[] = {&splat_avx512, &splat_avx2, &splat_scalar};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (name && strcmp(name, rows[i]->name) == 0)
+            return rows[i];
+    for (size_t i = 0;; i++)
+        if (rows[i]->supported())
+            return rows[i];
 }
 
 static void canvas_close(void *canvas)
@@ -61,14 +68,15 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     if (!c)
         return error_set(e, STATUS_RUN, "out of memory");
     c->setup = *setup;
-    c->isa = isa_find();
+    c->isa = isa_find(setup->isa);
     c->threads = setup->threads > 0 ? setup->threads : omp_get_num_procs();
-    c->samples = SAMPLES;
-    if (size[0] < 1 || size[1] < 1 || size[0] > MOST_SAMPLES / SAMPLES || size[1] > MOST_SAMPLES / SAMPLES) {
+    c->samples = (int)setup->scene->render.samples;
+    c->samples = c->samples < 1 ? 1 : c->samples;
+    const int most = MOST_SAMPLES / c->samples;
+    if (size[0] < 1 || size[1] < 1 || size[0] > most || size[1] > most) {
         canvas_close(c);
         return error_set(e, STATUS_BACKEND, "a picture of %d x %d pixels cannot be drawn: cpu draws up to "
-                         "%d x %d; choose another --size", size[0], size[1],
-                         MOST_SAMPLES / SAMPLES, MOST_SAMPLES / SAMPLES);
+                         "%d x %d; choose another --size", size[0], size[1], most, most);
     }
     c->width = size[0] * c->samples;
     c->height = size[1] * c->samples;
@@ -120,6 +128,18 @@ static double far_distance(const struct canvas *c, const struct camera *camera)
     return far > 0 ? far : 1;
 }
 
+static void background_make(const struct canvas *c, struct splat *splat)
+{
+    const struct scene *scene = c->setup.scene;
+    splat->planes = scene->render.transparent ? 4 : 3;
+    for (int k = 0; k < 3 && !scene->render.transparent; k++) {
+        double low = scene->render.background[k], high = scene->render.background_top[k];
+        high = isnan(high) ? low : high;
+        splat->back[k] = (float)high;
+        splat->fade[k] = (float)((low - high) / c->height);
+    }
+}
+
 static enum status canvas_draw(void *canvas, const struct camera *camera,
                                const struct render_frame *frame, struct image *image, struct error *e)
 {
@@ -128,7 +148,7 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     struct wire wire = {.count = 0};
     struct blend blends[BLENDS_MAX];
     struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, .lens = 1,
-                          .radius = (float)c->setup.radius, .look = look_make(), .blends = blends,
+                          .radius = (float)c->setup.radius, .look = look_make(scene->render.outline), .blends = blends,
                           .samples = c->samples, .rgba = image->rgba,
                           .pitch = (size_t)image->width};
     struct ball_view view = {.camera = camera, .radius = c->setup.radius, .width = c->width,
@@ -136,8 +156,7 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
                              .half = {(float)(c->width / 2.0 / camera->tan_x),
                                       (float)(-c->height / 2.0 / camera->tan_y)},
                              .threads = c->threads, .map = c->map, .setup = &c->setup};
-    for (int k = 0; k < 3; k++)
-        splat.back[k] = (float)scene->render.background[k];
+    background_make(c, &splat);
     rays_make(c, camera);
     if (balls_make(&c->balls, &view, frame, e))
         return e->status;

@@ -20,13 +20,14 @@ struct canvas {
     struct wire_gl wire;
     GLuint framebuffer, color, depth;
     int width, height; /* of a frame, pixels */
+    bool clear;        /* drawn over nothing; the background is put behind it afterwards */
     int samples;       /* drawn pixels per frame pixel, in x and in y */
     uint32_t *drawn;   /* RGBA bytes as read back, bottom row first */
     float *cover;      /* width * height, for hidden_drop */
     char name[300];
 };
 
-/* The scene's picture must fit the machine's limits; without room for 2 x 2 samples, 1 x 1. */
+/* The scene's picture must fit the machine's limits; without room for all samples, fewer. */
 static enum status size_check(struct canvas *r, struct error *e)
 {
     GLint buffer = 0, viewport[2] = {0, 0}, most;
@@ -38,7 +39,9 @@ static enum status size_check(struct canvas *r, struct error *e)
         return error_set(e, STATUS_BACKEND, "a picture of %d x %d pixels cannot be drawn: %s draws "
                          "up to %d x %d; choose another --size", r->width, r->height, r->name,
                          most, most);
-    r->samples = r->width <= most / 2 && r->height <= most / 2 ? 2 : 1;
+    r->samples = (int)r->setup.scene->render.samples;
+    while (r->samples > 1 && (r->width > most / r->samples || r->height > most / r->samples))
+        r->samples--;
     return STATUS_OK;
 }
 
@@ -128,6 +131,7 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     r->row = row->context;
     r->width = setup->scene->movie.size[0];
     r->height = setup->scene->movie.size[1];
+    r->clear = setup->scene->render.transparent || !isnan(setup->scene->render.background_top[0]);
     enum status status = r->row->open(&r->context, e);
     if (status == STATUS_OK)
         status = r->row->bind(r->context, e);
@@ -161,17 +165,22 @@ static enum status gl_draw(struct canvas *r, const struct camera *camera,
     const struct gl *gl = &r->gl;
     const struct scene *scene = r->setup.scene;
     const double *back = scene->render.background;
+    const bool clear = r->clear;
     GLsizei width = r->width * r->samples, height = r->height * r->samples;
     size_t count;
     double far;
-    count = hidden_drop(camera, r->sprites.packed, frame->count, r->setup.radius, r->cover);
+    count = hidden_drop(camera, r->sprites.packed, frame->count, r->setup.radius, r->samples,
+                        r->cover);
     far = far_distance(r, camera, count);
     gl->BindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
     gl->Viewport(0, 0, width, height);
     gl->Disable(GL_DITHER);
     gl->Disable(GL_BLEND);
     gl->DepthMask(1);
-    gl->ClearColor((float)back[0], (float)back[1], (float)back[2], 1);
+    if (clear)
+        gl->ClearColor(0, 0, 0, 0);
+    else
+        gl->ClearColor((float)back[0], (float)back[1], (float)back[2], 1);
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (count)
         sprites_draw(&r->sprites, gl, count, camera, far);
@@ -192,18 +201,48 @@ static uint32_t mean4(const uint32_t *upper, const uint32_t *lower)
     return ((a + round) >> 2 & half) | ((b + round) >> 2 & half) << 8;
 }
 
-/* Rows from the top, and the mean of 2 x 2 samples where there are. */
+/* The mean of a pixel's samples, of which the first is given, over the background of its row. */
+static void mean_over(const struct canvas *r, const uint32_t *sample, size_t row, const float back[4],
+                      uint8_t out[4])
+{
+    const int n = r->samples;
+    float sum[4] = {0};
+    for (int j = 0; j < n * n; j++)
+        for (int k = 0; k < 4; k++)
+            sum[k] += (float)(sample[(size_t)(j / n) * row + (size_t)(j % n)] >> 8 * k & 255);
+    float count = (float)(n * n), empty = 1 - sum[3] / (255 * count);
+    float alpha = 1 - empty * (1 - back[3]), whole = alpha > 1e-4F ? alpha : 1;
+    for (int k = 0; k < 3; k++)
+        out[k] = (uint8_t)((sum[k] / count + 255 * empty * back[k] * back[3]) / whole + 0.5F);
+    out[3] = (uint8_t)(255 * alpha + 0.5F);
+}
+
+/* The background in the middle of a row of pixels; its alpha is 0 where there is none. */
+static void background_of(const struct canvas *r, int y, float back[4])
+{
+    const struct scene *scene = r->setup.scene;
+    double part = (y + 0.5) / r->height;
+    for (int k = 0; k < 3; k++) {
+        double low = scene->render.background[k], high = scene->render.background_top[k];
+        back[k] = (float)(isnan(high) ? low : high + part * (low - high));
+    }
+    back[3] = scene->render.transparent ? 0 : 1;
+}
+
+/* Rows from the top, and the mean of samples where there are several. */
 static void resolve(const struct canvas *r, struct image *image)
 {
-    size_t row = (size_t)r->width * (size_t)r->samples; /* pixels */
+    size_t n = (size_t)r->samples, row = (size_t)r->width * n; /* pixels */
     uint32_t *out = (uint32_t *)(void *)image->rgba;
     for (int y = 0; y < r->height; y++, out += r->width) {
-        const uint32_t *upper = r->drawn + (size_t)(r->height - 1 - y) * (size_t)r->samples * row;
-        if (r->samples == 1)
-            memcpy(out, upper, row * sizeof *upper);
-        else
-            for (int x = 0; x < r->width; x++)
+        const uint32_t *upper = r->drawn + (size_t)(r->height - 1 - y) * n * row;
+        float back[4];
+        background_of(r, y, back);
+        for (int x = 0; x < r->width; x++)
+            if (n == 2 && !r->clear)
                 out[x] = mean4(upper + 2 * x, upper + row + 2 * x);
+            else
+                mean_over(r, upper + n * (size_t)x, row, back, (uint8_t *)(out + x));
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include "base/error.h"
 
+#include <stddef.h>
+
 #if HAVE_EGL
 #define EGL_MISSING NULL
 #else

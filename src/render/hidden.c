@@ -10,12 +10,10 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Samples lie at most this far from the middle of a pixel, in x and in y: 2 x 2 per pixel. */
-static const float sample_reach = 0.25F;
-
 struct projection { /* from camera axes to pixels, y upwards */
     float scale_x, scale_y, middle_x, middle_y;
     int width, height;
+    float reach; /* of samples from the middle of a pixel, in x and in y */
 };
 
 static bool position_view(const struct camera *camera, const uint32_t particle[4], float view[3])
@@ -49,11 +47,11 @@ static void cover(const struct projection *to, const float view[3], float radius
     float y = to->middle_y + to->scale_y * view[1] / view[2];
     float scale = to->scale_x < to->scale_y ? to->scale_x : to->scale_y;
     float r = scale * radius / view[2] * 0.995F - 0.01F;
-    int bottom = index_above(y - r + sample_reach - 0.5F, to->height);
-    int top = index_above(y + r - sample_reach - 0.5F, to->height);
+    int bottom = index_above(y - r + to->reach - 0.5F, to->height);
+    int top = index_above(y + r - to->reach - 0.5F, to->height);
     for (int row = bottom; row < top; row++) {
-        float dy = fabsf((float)row + 0.5F - y) + sample_reach;
-        float half2 = r * r - dy * dy, half = half2 > 0 ? sqrtf(half2) - sample_reach : -1;
+        float dy = fabsf((float)row + 0.5F - y) + to->reach;
+        float half2 = r * r - dy * dy, half = half2 > 0 ? sqrtf(half2) - to->reach : -1;
         int left = index_above(x - half - 0.5F, to->width);
         int right = index_above(x + half - 0.5F, to->width);
         float *line = depth + (size_t)row * (size_t)to->width;
@@ -92,13 +90,14 @@ static bool is_hidden(const struct projection *to, const float view[3], float ra
 }
 
 size_t hidden_drop(const struct camera *camera, uint32_t (*packed)[4], size_t count,
-                   double radius, float *depth)
+                   double radius, int samples, float *depth)
 {
     float r = (float)radius, view[3];
     size_t kept = 0;
     struct projection to = {
         .middle_x = (float)camera->width / 2, .middle_y = (float)camera->height / 2,
-        .width = camera->width, .height = camera->height};
+        .width = camera->width, .height = camera->height,
+        .reach = (float)(samples - 1) / (float)(2 * samples)};
     to.scale_x = to.middle_x / (float)camera->tan_x;
     to.scale_y = to.middle_y / (float)camera->tan_y;
     for (size_t i = 0; i < (size_t)to.width * (size_t)to.height; i++)

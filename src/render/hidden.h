@@ -9,8 +9,8 @@
 
 /* Packed particles: x y z as float bits, and one word that is kept as it is. Moves those that may
  * be seen to the front, in their order, and returns how many; the picture does not change.
- * `radius` in m; `depth` is room for width * height floats of the camera. */
+ * `radius` in m; `samples` of a pixel, in x and in y; `depth` is room for width * height floats of the camera. */
 size_t hidden_drop(const struct camera *camera, uint32_t (*packed)[4], size_t count,
-                   double radius, float *depth);
+                   double radius, int samples, float *depth);
 
 #endif

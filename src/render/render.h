@@ -18,6 +18,7 @@ struct render_setup {
     const struct scene *scene;   /* camera, movie.size, color.map, render.*, domain, title */
     const char *renderer;        /* row of render_table, or "auto" */
     int threads;                 /* of the cpu renderer; 0: all processors */
+    const char *isa;             /* of the cpu renderer: a row of "isas"; NULL, "auto": the best */
     double radius;               /* drawn sphere radius, m */
     double range[2];             /* colour range, in the unit below; pinned for the film */
     const char *label, *unit;    /* of the colour bar: "speed", "m/s" */

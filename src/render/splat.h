@@ -31,7 +31,7 @@ struct blend {
     bool owns[3];
     double inverse[3], across[3]; /* 1 / distance; samples across the line: a + b x + c y */
     float half_width;             /* of a line; 0: a face */
-    float color[3], cover;
+    float color[4], cover;
     bool behind;                  /* where a sphere is in front, not where it is nearer */
     int left, right, top, bottom; /* right and bottom are not in */
 };
@@ -43,7 +43,8 @@ struct splat {
     float lens;                 /* 1: rays start at the eye; 0: they are parallel */
     float radius;
     struct look look;
-    float back[3];              /* background, 0..1 */
+    int planes;                 /* of colour: 3, or 4 with alpha; then colours are times alpha */
+    float back[4], fade[4];     /* background, 0..1, in the upper row of samples; and its change with rows */
     const struct blend *blends; /* in order */
     size_t blend_count;
     int samples;                /* of a pixel, in x and in y */
@@ -57,7 +58,7 @@ struct tile {
     uint32_t ball[TILE][TILE];    /* UINT32_MAX: none */
     float far[BLOCKS][BLOCKS];    /* largest depth of a block */
     bool stale[BLOCKS][BLOCKS];   /* that it must be found anew */
-    float color[3][TILE][TILE];
+    float color[4][TILE][TILE];
 };
 
 /* Draws spheres into a tile, nearest first where possible, colours it, and writes its pixels. */
@@ -70,6 +71,6 @@ struct splat_isa {
     bool (*supported)(void);
     splat_function *draw;
 };
-extern const struct splat_isa splat_base, splat_avx2, splat_avx512;
+extern const struct splat_isa splat_scalar, splat_avx2, splat_avx512;
 
 #endif

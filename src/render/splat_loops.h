@@ -121,8 +121,10 @@ static inline void chunk_light(const struct splat *s, float (*restrict shown)[4]
         float g2 = glance > 0 ? glance * glance : 0, g4 = g2 * g2, g8 = g4 * g4;
         float sum = look->base + look->sky * (0.5F + 0.5F * ny);
         sum = (sum + look->diffuse * (key > 0 ? key : 0)) * (1 - look->facing + look->facing * facing);
-        light[l] = sum < 1 ? sum : 1;
-        shine[l] = look->shine * (g8 * g8 * g8);
+        bool rim = facing * facing < look->rim;
+        sum = sum < 1 ? sum : 1;
+        light[l] = rim ? 0.25F * sum : sum;
+        shine[l] = rim ? 0 : look->shine * (g8 * g8 * g8);
     }
 }
 
@@ -132,6 +134,12 @@ static inline bool chunk_is_empty(const uint32_t *number)
     for (int l = 0; l < CHUNK; l++)
         all &= number[l];
     return all == UINT32_MAX;
+}
+
+/* The background's colour k in a row of samples. */
+static inline float back_of(const struct splat *s, int k, int row)
+{
+    return s->back[k] + s->fade[k] * (float)row;
 }
 
 static inline void chunk_shade(const struct splat *s, struct tile *tile, int x, int y)
@@ -146,13 +154,13 @@ static inline void chunk_shade(const struct splat *s, struct tile *tile, int x, 
     for (int l = 0; l < CHUNK; l++)
         memcpy(&rgb[l], &shown[l][3], 4);
     chunk_light(s, shown, s->ray_x + tile->left + x, s->ray_y[tile->top + y], depth, light, shine);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < s->planes; k++) {
         float *restrict color = &tile->color[k][y][x];
-        const float back = s->back[k];
+        const float back = back_of(s, k, tile->top + y);
         const int shift = 8 * k;
         for (int l = 0; l < CHUNK; l++) {
             float c = (float)(int)(rgb[l] >> shift & 255) * (1 / 255.0F) * light[l] + shine[l];
-            c = c < 1 ? c : 1;
+            c = (k == 3) | (c > 1) ? 1 : c;
             color[l] = number[l] == UINT32_MAX ? back : c;
         }
     }
@@ -164,9 +172,11 @@ static inline void chunk_color(const struct splat *s, struct tile *tile, int x, 
         chunk_shade(s, tile, x, y);
         return;
     }
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < s->planes; k++) {
+        const float back = back_of(s, k, tile->top + y);
         for (int l = 0; l < CHUNK; l++)
-            tile->color[k][y][x + l] = s->back[k];
+            tile->color[k][y][x + l] = back;
+    }
 }
 
 /* Narrows x..end to where e + d (px + x) may be above 0. */
@@ -191,32 +201,35 @@ static inline bool blend_covers(const struct blend *b, double x, double y)
 }
 
 /* Samples x..end of a row, all of them in the triangle. */
-static inline void span_blend(const struct blend *b, struct tile *tile, int y, int x, int end)
+static inline void span_blend(const struct blend *b, struct tile *tile, int planes, int y, int x,
+                              int end)
 {
     const double py = tile->top + y + 0.5, px = tile->left + 0.5;
     const float near = (float)(b->inverse[0] + b->inverse[2] * py + b->inverse[1] * px);
     const float side = (float)(b->across[0] + b->across[2] * py + b->across[1] * px);
     const float near_x = (float)b->inverse[1], side_x = (float)b->across[1], cover = b->cover;
     const float half = b->half_width > 0 ? b->half_width + 0.5F : INFINITY;
-    const float red = b->color[0], green = b->color[1], blue = b->color[2];
     const float sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
     const float *restrict seen = tile->depth[y];
-    float *restrict c0 = tile->color[0][y], *restrict c1 = tile->color[1][y];
-    float *restrict c2 = tile->color[2][y];
-    for (; x < end; x++) {
-        float depth = 1 / (near + near_x * (float)x), apart = sign * (seen[x] - depth);
-        float soft = half - fabsf(side + side_x * (float)x);
+    float part[TILE];
+    for (int i = x; i < end; i++) {
+        float depth = 1 / (near + near_x * (float)i), apart = sign * (seen[i] - depth);
+        float soft = half - fabsf(side + side_x * (float)i);
         soft = soft < 0 ? 0 : soft;
         soft = soft > 1 ? 1 : soft;
-        float part = (apart > 0) | ((tie > 0) & (apart == 0)) ? cover * soft : 0;
-        c0[x] += part * (red - c0[x]);
-        c1[x] += part * (green - c1[x]);
-        c2[x] += part * (blue - c2[x]);
+        part[i] = (apart > 0) | ((tie > 0) & (apart == 0)) ? cover * soft : 0;
+    }
+    for (int k = 0; k < planes; k++) {
+        float *restrict color = tile->color[k][y];
+        const float ink = b->color[k];
+        for (int i = x; i < end; i++)
+            color[i] += part[i] * (ink - color[i]);
     }
 }
 
 /* Samples x..end of row y that are in the triangle. */
-static inline void row_blend(const struct blend *b, struct tile *tile, int y, int x, int end)
+static inline void row_blend(const struct blend *b, struct tile *tile, int planes, int y, int x,
+                             int end)
 {
     const double py = tile->top + y + 0.5, px = tile->left + 0.5;
     for (int k = 0; k < 3; k++)
@@ -225,17 +238,17 @@ static inline void row_blend(const struct blend *b, struct tile *tile, int y, in
         x++;
     while (x < end && !blend_covers(b, px + end - 1, py))
         end--;
-    span_blend(b, tile, y, x, end);
+    span_blend(b, tile, planes, y, x, end);
 }
 
-static void tile_blend(const struct blend *b, struct tile *tile)
+static void tile_blend(const struct blend *b, struct tile *tile, int planes)
 {
     int left = b->left > tile->left ? b->left - tile->left : 0;
     int top = b->top > tile->top ? b->top - tile->top : 0;
     int right = b->right - tile->left < tile->width ? b->right - tile->left : tile->width;
     int bottom = b->bottom - tile->top < tile->height ? b->bottom - tile->top : tile->height;
     for (int y = top; y < bottom; y++)
-        row_blend(b, tile, y, left, right);
+        row_blend(b, tile, planes, y, left, right);
 }
 
 /* Adds every n-th of a row's samples. */
@@ -249,21 +262,25 @@ static inline void samples_add(const float *restrict color, int n, int count, fl
             sum[x] += color[n * x];
 }
 
-/* One row of pixels: the means of their n x n samples, rounded. */
-static inline void row_resolve(const struct tile *tile, int y, int n, uint8_t *rgba)
+/* One row of pixels: the means of their n x n samples, rounded; colours are divided by alpha. */
+static inline void row_resolve(const struct splat *s, const struct tile *tile, int y, uint8_t *rgba)
 {
-    const int width = tile->width / n;
-    const float scale = 255.0F / (float)(n * n);
-    float sum[3][TILE] = {{0}};
+    const int n = s->samples, width = tile->width / n;
+    const float scale = 1.0F / (float)(n * n);
+    float sum[4][TILE] = {{0}};
     uint32_t out[TILE];
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < s->planes; k++)
         for (int j = 0; j < n * n; j++)
             samples_add(&tile->color[k][y * n + j / n][j % n], n, width, sum[k]);
+    for (int x = 0; s->planes == 3 && x < TILE; x++)
+        sum[3][x] = (float)(n * n);
     for (int x = 0; x < TILE; x++) {
-        uint32_t red = (uint32_t)(int)(sum[0][x] * scale + 0.5F);
-        uint32_t green = (uint32_t)(int)(sum[1][x] * scale + 0.5F);
-        uint32_t blue = (uint32_t)(int)(sum[2][x] * scale + 0.5F);
-        out[x] = red | green << 8 | blue << 16 | 0xff000000u; /* bytes in memory: little endian */
+        float alpha = sum[3][x] * scale, part = 255 * scale / (alpha > 1e-4F ? alpha : 1);
+        uint32_t red = (uint32_t)(int)(sum[0][x] * part + 0.5F);
+        uint32_t green = (uint32_t)(int)(sum[1][x] * part + 0.5F);
+        uint32_t blue = (uint32_t)(int)(sum[2][x] * part + 0.5F);
+        uint32_t cover = (uint32_t)(int)(255 * alpha + 0.5F);
+        out[x] = red | green << 8 | blue << 16 | cover << 24; /* bytes in memory: little endian */
     }
     memcpy(rgba, out, 4 * (size_t)width);
 }
@@ -272,7 +289,7 @@ static void tile_resolve(const struct splat *s, const struct tile *tile)
 {
     const int n = s->samples;
     for (int y = 0; y < tile->height / n; y++)
-        row_resolve(tile, y, n, s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch +
+        row_resolve(s, tile, y, s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch +
                                                (size_t)(tile->left / n)));
 }
 
@@ -285,6 +302,6 @@ static void tile_draw(const struct splat *s, struct tile *tile, const uint32_t *
         for (int x = 0; x < tile->width; x += CHUNK)
             chunk_color(s, tile, x, y);
     for (size_t i = 0; i < s->blend_count; i++)
-        tile_blend(&s->blends[i], tile);
+        tile_blend(&s->blends[i], tile, s->planes);
     tile_resolve(s, tile);
 }

@@ -39,6 +39,8 @@ static void uniforms_find(struct sprites *s, const struct gl *gl, const struct r
     s->key_light = gl->GetUniformLocation(s->program, "key_light");
     s->material = gl->GetUniformLocation(s->program, "material");
     s->shine = gl->GetUniformLocation(s->program, "shine");
+    s->rim = gl->GetUniformLocation(s->program, "rim");
+    s->outline = setup->scene->render.outline;
     gl->UseProgram(s->program);
     gl->Uniform1i(gl->GetUniformLocation(s->program, "particles"), 0);
     gl->Uniform1i(gl->GetUniformLocation(s->program, "map"), 1);
@@ -140,10 +142,11 @@ static void view_matrix(const struct camera *camera, float m[16])
 
 static void look_set(const struct sprites *s, const struct gl *gl)
 {
-    struct look look = look_make();
+    struct look look = look_make(s->outline);
     gl->Uniform3f(s->key_light, look.key[0], look.key[1], look.key[2]);
     gl->Uniform4f(s->material, look.base, look.sky, look.diffuse, look.facing);
     gl->Uniform1f(s->shine, look.shine);
+    gl->Uniform1f(s->rim, look.rim);
 }
 
 /* Four ways were timed on llvmpipe (least ms per frame, 1280x720, four samples per pixel, two

@@ -28,6 +28,26 @@ static void paint(const struct scene_fluid *fluid, uint8_t out[4])
     out[3] = 255;
 }
 
+/* Whether the scene wants a particle drawn: of this fluid (-1: a wall's), there, with that value. */
+static bool is_shown(const struct scene *scene, int fluid, const float position[3], float value)
+{
+    const double *range = scene->render.show_range;
+    if (fluid >= 0 && !scene->fluids[fluid].visible)
+        return false;
+    for (int a = 0; a < 3; a++) {
+        double x = scene->domain.min[a] + (double)position[a];
+        if (x < scene->render.clip_min[a] || x > scene->render.clip_max[a]) /* NAN: neither */
+            return false;
+    }
+    return !((double)value < range[0] || (double)value > range[1]);
+}
+
+/* Out of everybody's sight. */
+static void hide(float position[3])
+{
+    position[0] = position[1] = position[2] = NAN;
+}
+
 void frame_fill(struct simulation *s, struct film_snapshot *snapshot)
 {
     const struct plan *plan = s->plan;
@@ -41,6 +61,9 @@ void frame_fill(struct simulation *s, struct film_snapshot *snapshot)
             paint(&plan->scene->fluids[particles_fluid(p, i)], snapshot->color + 4 * id);
         else
             snapshot->value[id] = color->value(p, i);
+        if (!is_shown(plan->scene, particles_fluid(p, i), snapshot->position + 3 * id,
+                      color->solid ? NAN : snapshot->value[id]))
+            hide(snapshot->position + 3 * id);
     }
     for (size_t i = 0; draws_walls(plan) && i < walls->count; i++) {
         size_t id = p->count + particles_id(walls)[i];
@@ -49,5 +72,7 @@ void frame_fill(struct simulation *s, struct film_snapshot *snapshot)
             memset(snapshot->color + 4 * id, 160, 4);
         else
             snapshot->value[id] = (float)plan->color_range[0];
+        if (!is_shown(plan->scene, -1, snapshot->position + 3 * id, NAN))
+            hide(snapshot->position + 3 * id);
     }
 }

@@ -141,6 +141,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
         .scene = scene,
         .renderer = options->renderer ? options->renderer : "auto",
         .threads = options->threads,
+        .isa = options->isa,
         .radius = scene->render.radius * scene->particles.spacing,
     };
     if (plan->draws) {

@@ -29,6 +29,7 @@ struct scene_fluid {
     double density;        /* rest density, kg/m^3 */
     double viscosity;      /* dynamic viscosity, Pa s */
     double surface_tension;/* N/m */
+    bool visible;          /* drawn */
     double color[3];       /* for color.by = "solid", 0..1 */
 };
 
@@ -142,6 +143,12 @@ struct scene {
 
     struct {
         double background[3]; /* 0..1 */
+        double background_top[3]; /* 0..1; NAN: background */
+        bool transparent;
+        int64_t samples;      /* of a pixel, in x and in y */
+        double outline;       /* rim / radius */
+        double clip_min[3], clip_max[3]; /* m; NAN: no bound */
+        double show_range[2]; /* of the colour's quantity; NAN: all */
         double radius;        /* drawn radius / spacing */
         bool box, time, title;/* wireframe, time stamp, title */
         bool boundary;        /* draw static boundary particles */

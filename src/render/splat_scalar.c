@@ -6,4 +6,4 @@ static bool supported(void)
     return true;
 }
 
-const struct splat_isa splat_base = {"base", supported, tile_draw};
+const struct splat_isa splat_scalar = {"scalar", supported, tile_draw};

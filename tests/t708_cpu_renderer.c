@@ -1,0 +1,145 @@
+/* The cpu renderer: the same bits for any threads and instruction set, OpenGL's picture, alpha. */
+#include "render_fixture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+enum { WIDTH = 500, HEIGHT = 290 }; /* no multiple of a tile */
+
+struct how {
+    const char *renderer, *isa;
+    int threads;
+    double radius;
+};
+
+static void change_nothing(struct scene *scene)
+{
+    (void)scene;
+}
+static void change_look(struct scene *scene)
+{
+    scene->render.outline = 0.15;
+    scene->render.samples = 3;
+    for (int k = 0; k < 3; k++)
+        scene->render.background_top[k] = 0.2 * k;
+}
+static void change_clear(struct scene *scene)
+{
+    scene->render.transparent = true;
+}
+
+static void draw(const struct how *how, void (*change)(struct scene *), struct image *image)
+{
+    struct scene scene;
+    struct error e = {.text = ""};
+    struct renderer *renderer;
+    struct fixture_cloud cloud = fixture_cloud(20000, 7);
+    struct render_frame frame = {.count = cloud.count, .position = cloud.position,
+                                 .value = cloud.value};
+    fixture_scene(&scene, WIDTH, HEIGHT);
+    scene.render.box = true;
+    for (int k = 0; k < 3; k++)
+        scene.render.background[k] = 0.9;
+    change(&scene);
+    struct render_setup setup = fixture_setup(&scene, how->renderer);
+    setup.isa = how->isa;
+    setup.threads = how->threads;
+    setup.radius = how->radius;
+    memset(image, 0, sizeof *image);
+    if (renderer_open(&renderer, &setup, &e) || renderer_draw(renderer, &frame, image, &e))
+        fail_msg("%s", e.text);
+    renderer_close(renderer);
+    fixture_cloud_free(&cloud);
+}
+
+static bool has(const char *isa)
+{
+    if (strcmp(isa, "avx512") == 0)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw");
+    return strcmp(isa, "avx2") != 0 || __builtin_cpu_supports("avx2");
+}
+
+static void the_same_bits(void **state)
+{
+    static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear};
+    static const char *const isas[] = {"scalar", "avx2", "avx512"};
+    (void)state;
+    for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
+        struct image first, next;
+        draw(&(struct how){"cpu", "scalar", 1, 0.008}, changes[c], &first);
+        for (size_t i = 0; i < 3; i++)
+            for (int threads = 1; has(isas[i]) && threads <= 7; threads += 2) {
+                draw(&(struct how){"cpu", isas[i], threads, 0.008}, changes[c], &next);
+                assert_memory_equal(first.rgba, next.rgba, (size_t)WIDTH * HEIGHT * 4);
+                image_free(&next);
+            }
+        image_free(&first);
+    }
+}
+
+/* Few pixels differ from OpenGL's by more than 2 levels: rays that graze a sphere. */
+static void the_picture_of_opengl(void **state)
+{
+    static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear};
+    static const double radii[] = {0.002, 0.01, 0.08};
+    const char *names[] = {"egl", "osmesa"};
+    (void)state;
+    for (size_t n = 0; n < 2; n++)
+        for (size_t c = 0; c < 9 && !variant_find(&render_table, names[n])->missing; c++) {
+            struct image cpu, gl;
+            size_t differing = 0;
+            double radius = radii[c % 3];
+            draw(&(struct how){"cpu", "auto", 2, radius}, changes[c / 3], &cpu);
+            draw(&(struct how){names[n], "auto", 2, radius}, changes[c / 3], &gl);
+            for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+                int most = 0;
+                for (int k = 0; k < 4; k++) {
+                    int d = abs(cpu.rgba[4 * i + k] - gl.rgba[4 * i + k]);
+                    d = k < 3 && cpu.rgba[4 * i + 3] < 16 ? 0 : d; /* colour of next to nothing */
+                    most = d > most ? d : most;
+                }
+                differing += most > 2;
+            }
+            printf("# %s, look %zu, radius %g m: %zu of %d pixels differ\n", names[n], c / 3, radius,
+                   differing, WIDTH * HEIGHT);
+            assert_true(differing * 1000 <= (size_t)WIDTH * HEIGHT);
+            image_free(&cpu);
+            image_free(&gl);
+        }
+}
+
+/* Where nothing is, nothing is covered; where spheres are, all is. */
+static void alpha(void **state)
+{
+    struct image clear, solid;
+    size_t empty = 0, full = 0;
+    (void)state;
+    draw(&(struct how){"cpu", "auto", 2, 0.01}, change_clear, &clear);
+    draw(&(struct how){"cpu", "auto", 2, 0.01}, change_nothing, &solid);
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+        const uint8_t *p = clear.rgba + 4 * i, *q = solid.rgba + 4 * i;
+        empty += p[3] == 0;
+        full += p[3] == 255;
+        assert_int_equal(q[3], 255);
+        for (int k = 0; k < 3; k++) { /* over the background it is the other picture */
+            double over = p[k] * p[3] / 255.0 + 0.9 * (255 - p[3]);
+            assert_true(fabs(over - q[k]) < 2.5);
+        }
+    }
+    assert_true(empty > 10000 && full > 10000);
+    image_free(&clear);
+    image_free(&solid);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_same_bits), cmocka_unit_test(the_picture_of_opengl),
+        cmocka_unit_test(alpha),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
