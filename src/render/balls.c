@@ -43,9 +43,10 @@ static void ball_make(const struct ball_view *v, const struct render_frame *fram
                       struct ball *ball)
 {
     const float *p = frame->position + 3 * i;
-    double at[3] = {p[0], p[1], p[2]}, view[3];
-    camera_view(v->camera, at, view);
-    *ball = (struct ball){(float)view[0], (float)view[1], (float)view[2], {0}, 0, 0, 0, 0};
+    const double *m = v->camera->right, *u = v->camera->up, *f = v->camera->forward;
+    double x = p[0] - v->camera->eye[0], y = p[1] - v->camera->eye[1], z = p[2] - v->camera->eye[2];
+    *ball = (struct ball){(float)(x * m[0] + y * m[1] + z * m[2]), (float)(x * u[0] + y * u[1] + z * u[2]),
+                          (float)(x * f[0] + y * f[1] + z * f[2]), {0}, 0, 0, 0, 0};
     float radius = (float)v->radius;
     float distance2 = ball->x * ball->x + ball->y * ball->y + ball->z * ball->z;
     if (!(ball->z > 0 && distance2 > radius * radius && distance2 < 1e30F))

@@ -58,6 +58,7 @@ static inline void chunk_splat(const struct splat *s, const struct ball *ball, u
     const float scale = s->lens * ball->z + (1 - s->lens), r2 = s->radius * s->radius;
     const float oy = scale * y - ball->y, dy = s->lens * y, lens = s->lens;
     const float bx = ball->x, bz = ball->z, rest = oy * oy - r2, across = oy * dy, side = dy * dy + 1;
+#pragma omp simd
     for (int l = 0; l < CHUNK; l++) {
         float ox = scale * ray_x[l] - bx, dx = lens * ray_x[l];
         float along = ox * dx + across, square = dx * dx + side;
@@ -90,41 +91,50 @@ static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number
             tile->stale[row][column] = true;
 }
 
-/* Spheres that CHUNK samples show: x, y, z, and colour in the bits of a float. */
-typedef float shown_type[CHUNK][4];
+/* Spheres that CHUNK samples show. */
+struct shown {
+    float x[CHUNK], y[CHUNK], z[CHUNK];
+    uint32_t rgb[CHUNK];
+};
 
-static inline void shown_load(const struct splat *s, const uint32_t *number, shown_type shown)
+static inline void shown_load(const struct splat *s, const uint32_t *number, struct shown *shown)
 {
     static const struct ball none = {.z = 1};
-    for (int l = 0; l < CHUNK; l++)
-        memcpy(shown[l], number[l] == UINT32_MAX ? &none : &s->balls[number[l]], 16);
+    for (int l = 0; l < CHUNK; l++) {
+        const struct ball *ball = number[l] == UINT32_MAX ? &none : &s->balls[number[l]];
+        shown->x[l] = ball->x;
+        shown->y[l] = ball->y;
+        shown->z[l] = ball->z;
+        memcpy(&shown->rgb[l], ball->rgb, 4);
+    }
 }
 
 /* The factor of the colour, and the white that is added, at the points where rays meet spheres: z is
  * their depth. */
-static inline void chunk_light(const struct splat *s, float (*restrict shown)[4],
+static inline void chunk_light(const struct splat *s, const struct shown *restrict shown,
                                const float *restrict ray_x, float y, const float *restrict depth,
                                float *restrict light, float *restrict shine)
 {
-    const struct look *look = &s->look;
-    const float lens = s->lens, inverse = 1 / s->radius;
+    const struct look look = s->look;
+    const float lens = s->lens, inverse = 1 / s->radius, rim = look.rim, shininess = look.shine;
+#pragma omp simd
     for (int l = 0; l < CHUNK; l++) {
-        float z = depth[l], t = z - shown[l][2];
+        float z = depth[l], t = z - shown->z[l];
         float scale = lens * z + (1 - lens), dx = lens * ray_x[l], dy = lens * y;
-        float nx = (scale * ray_x[l] - shown[l][0]) * inverse;
-        float ny = (scale * y - shown[l][1]) * inverse, nz = -t * inverse; /* towards the viewer */
+        float nx = (scale * ray_x[l] - shown->x[l]) * inverse;
+        float ny = (scale * y - shown->y[l]) * inverse, nz = -t * inverse; /* towards the viewer */
         float length = 1 / sqrtf(dx * dx + dy * dy + 1), along = nx * dx + ny * dy - nz;
         float facing = along < 0 ? -along * length : 0;
-        float key = nx * look->key[0] + ny * look->key[1] + nz * look->key[2];
-        float ahead = (dx * look->key[0] + dy * look->key[1] - look->key[2]) * length;
+        float key = nx * look.key[0] + ny * look.key[1] + nz * look.key[2];
+        float ahead = (dx * look.key[0] + dy * look.key[1] - look.key[2]) * length;
         float glance = ahead - 2 * along * length * key;
         float g2 = glance > 0 ? glance * glance : 0, g4 = g2 * g2, g8 = g4 * g4;
-        float sum = look->base + look->sky * (0.5F + 0.5F * ny);
-        sum = (sum + look->diffuse * (key > 0 ? key : 0)) * (1 - look->facing + look->facing * facing);
-        bool rim = facing * facing < look->rim;
+        float sum = look.base + look.sky * (0.5F + 0.5F * ny);
+        sum = (sum + look.diffuse * (key > 0 ? key : 0)) * (1 - look.facing + look.facing * facing);
+        float inside = facing * facing < rim ? 0 : 1, white = shininess * inside;
         sum = sum < 1 ? sum : 1;
-        light[l] = rim ? 0.25F * sum : sum;
-        shine[l] = rim ? 0 : look->shine * (g8 * g8 * g8);
+        light[l] = (0.25F + 0.75F * inside) * sum;
+        shine[l] = white * (g8 * g8 * g8);
     }
 }
 
@@ -144,26 +154,30 @@ static inline float back_of(const struct splat *s, int k, int row)
 
 static inline void chunk_shade(const struct splat *s, struct tile *tile, int x, int y)
 {
-    shown_type shown;
+    struct shown shown;
     float light[CHUNK], shine[CHUNK], depth[CHUNK];
-    uint32_t rgb[CHUNK];
-    const uint32_t *number = &tile->ball[y][x];
+    uint32_t number[CHUNK];
+    memcpy(number, &tile->ball[y][x], sizeof number);
+#pragma omp simd
     for (int l = 0; l < CHUNK; l++)
         depth[l] = number[l] == UINT32_MAX ? 1 : tile->depth[y][x + l];
-    shown_load(s, number, shown);
-    for (int l = 0; l < CHUNK; l++)
-        memcpy(&rgb[l], &shown[l][3], 4);
-    chunk_light(s, shown, s->ray_x + tile->left + x, s->ray_y[tile->top + y], depth, light, shine);
-    for (int k = 0; k < s->planes; k++) {
+    shown_load(s, number, &shown);
+    chunk_light(s, &shown, s->ray_x + tile->left + x, s->ray_y[tile->top + y], depth, light, shine);
+    for (int k = 0; k < 3; k++) {
         float *restrict color = &tile->color[k][y][x];
         const float back = back_of(s, k, tile->top + y);
         const int shift = 8 * k;
+#pragma omp simd
         for (int l = 0; l < CHUNK; l++) {
-            float c = (float)(int)(rgb[l] >> shift & 255) * (1 / 255.0F) * light[l] + shine[l];
-            c = (k == 3) | (c > 1) ? 1 : c;
+            float c = (float)(int)(shown.rgb[l] >> shift & 255) * (1 / 255.0F) * light[l] + shine[l];
+            c = c < 1 ? c : 1;
             color[l] = number[l] == UINT32_MAX ? back : c;
         }
     }
+    if (s->planes == 4)
+#pragma omp simd
+        for (int l = 0; l < CHUNK; l++)
+            tile->color[3][y][x + l] = number[l] == UINT32_MAX ? 0 : 1;
 }
 
 static inline void chunk_color(const struct splat *s, struct tile *tile, int x, int y)
@@ -174,6 +188,7 @@ static inline void chunk_color(const struct splat *s, struct tile *tile, int x, 
     }
     for (int k = 0; k < s->planes; k++) {
         const float back = back_of(s, k, tile->top + y);
+#pragma omp simd
         for (int l = 0; l < CHUNK; l++)
             tile->color[k][y][x + l] = back;
     }
@@ -212,16 +227,18 @@ static inline void span_blend(const struct blend *b, struct tile *tile, int plan
     const float sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
     const float *restrict seen = tile->depth[y];
     float part[TILE];
+#pragma omp simd
     for (int i = x; i < end; i++) {
         float depth = 1 / (near + near_x * (float)i), apart = sign * (seen[i] - depth);
         float soft = half - fabsf(side + side_x * (float)i);
         soft = soft < 0 ? 0 : soft;
         soft = soft > 1 ? 1 : soft;
-        part[i] = (apart > 0) | ((tie > 0) & (apart == 0)) ? cover * soft : 0;
+        part[i] = ((apart > 0) | ((tie > 0) & (apart == 0))) ? cover * soft : 0;
     }
     for (int k = 0; k < planes; k++) {
         float *restrict color = tile->color[k][y];
         const float ink = b->color[k];
+#pragma omp simd
         for (int i = x; i < end; i++)
             color[i] += part[i] * (ink - color[i]);
     }
