@@ -25,6 +25,7 @@ static inline void fixture_scene(struct scene *scene, int width, int height)
     scene->camera.up[1] = 1;
     scene->camera.fov = 35;
     strcpy(scene->color.map, "viridis");
+    strcpy(scene->render.style, "spheres");
     scene->render.samples = 2;
     for (int k = 0; k < 3; k++)
         scene->render.background_top[k] = NAN;

@@ -32,6 +32,12 @@ static void change_clear(struct scene *scene)
     scene->render.transparent = true;
 }
 
+static void change_surface(struct scene *scene)
+{
+    strcpy(scene->render.style, "surface");
+    scene->particles.spacing = 0.016;
+}
+
 static void draw(const struct how *how, void (*change)(struct scene *), struct image *image)
 {
     struct scene scene;
@@ -49,11 +55,17 @@ static void draw(const struct how *how, void (*change)(struct scene *), struct i
     setup.isa = how->isa;
     setup.threads = how->threads;
     setup.radius = how->radius;
+    uint8_t *color = calloc(cloud.count, 4);
+    for (size_t i = 0; i < 4 * cloud.count; i++)
+        color[i] = (uint8_t)(60 * (i % 4) + 40);
+    setup.solid = strcmp(scene.render.style, "surface") == 0;
+    frame.color = color;
     memset(image, 0, sizeof *image);
     if (renderer_open(&renderer, &setup, &e) || renderer_draw(renderer, &frame, image, &e))
         fail_msg("%s", e.text);
     renderer_close(renderer);
     fixture_cloud_free(&cloud);
+    free(color);
 }
 
 static bool has(const char *isa)
@@ -65,7 +77,8 @@ static bool has(const char *isa)
 
 static void the_same_bits(void **state)
 {
-    static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear};
+    static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
+                                                       change_surface};
     static const char *const isas[] = {"scalar", "avx2", "avx512"};
     (void)state;
     for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
@@ -112,6 +125,42 @@ static void the_picture_of_opengl(void **state)
         }
 }
 
+/* A pool of still spheres with a surface: its middle is as flat and even as the sphere picture is not. */
+static void surface_is_smooth(void **state)
+{
+    struct image rough, smooth;
+    double change[2] = {0, 0};
+    (void)state;
+    draw(&(struct how){"cpu", "auto", 2, 0.008}, change_nothing, &rough);
+    draw(&(struct how){"cpu", "auto", 2, 0.008}, change_surface, &smooth);
+    for (int y = 190; y < 230; y++)
+        for (int x = 150; x < 250; x++)
+            for (int p = 0; p < 2; p++) {
+                const uint8_t *at = (p ? smooth : rough).rgba + 4 * (y * WIDTH + x);
+                change[p] += abs(at[1] - at[5]);
+            }
+    printf("# change from pixel to pixel: spheres %.2f, surface %.2f\n", change[0] / 4000, change[1] / 4000);
+    assert_true(change[1] > 0 && change[1] < change[0] / 3);
+    image_free(&rough);
+    image_free(&smooth);
+}
+
+static void surface_by_cpu_only(void **state)
+{
+    struct scene scene;
+    struct error e = {.text = ""};
+    struct renderer *renderer;
+    (void)state;
+    fixture_scene(&scene, WIDTH, HEIGHT);
+    change_surface(&scene);
+    struct render_setup setup = fixture_setup(&scene, "egl");
+    assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_BACKEND);
+    setup.renderer = "auto";
+    assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_OK);
+    assert_memory_equal(renderer_name(renderer), "cpu", 3);
+    renderer_close(renderer);
+}
+
 /* Where nothing is, nothing is covered; where spheres are, all is. */
 static void alpha(void **state)
 {
@@ -139,6 +188,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_bits), cmocka_unit_test(the_picture_of_opengl),
+        cmocka_unit_test(surface_is_smooth), cmocka_unit_test(surface_by_cpu_only),
         cmocka_unit_test(alpha),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -2,6 +2,7 @@
 #include "render/balls.h"
 #include "render/blend.h"
 #include "render/canvas.h"
+#include "render/surface.h"
 
 #include <math.h>
 #include <omp.h>
@@ -17,6 +18,8 @@ struct canvas {
     float *ray_x, *ray_y; /* of each column and row */
     struct balls balls;
     struct tile *tiles;   /* of each thread */
+    struct surface surface; /* of style surface */
+    bool has_surface;
     uint8_t map[256][3];
     char name[64];
 };
@@ -41,6 +44,7 @@ static void canvas_close(void *canvas)
     if (!c)
         return;
     balls_free(&c->balls);
+    surface_close(&c->surface);
     free(c->ray_x);
     free(c->ray_y);
     free(c->tiles);
@@ -53,7 +57,8 @@ static enum status room_make(struct canvas *c, struct error *e)
     c->ray_x = calloc(width, sizeof *c->ray_x);
     c->ray_y = calloc(height, sizeof *c->ray_y);
     c->tiles = aligned_alloc(64, (size_t)c->threads * sizeof *c->tiles);
-    if (!c->ray_x || !c->ray_y || !c->tiles)
+    bool ok = !c->has_surface || surface_open(&c->surface, c->width, c->height);
+    if (!ok || !c->ray_x || !c->ray_y || !c->tiles)
         return error_set(e, STATUS_RUN, "out of memory for the picture");
     return STATUS_OK;
 }
@@ -68,6 +73,7 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     if (!c)
         return error_set(e, STATUS_RUN, "out of memory");
     c->setup = *setup;
+    c->has_surface = strcmp(setup->scene->render.style, "surface") == 0;
     c->isa = isa_find(setup->isa);
     c->threads = setup->threads > 0 ? setup->threads : omp_get_num_procs();
     c->samples = (int)setup->scene->render.samples;
@@ -100,19 +106,68 @@ static void rays_make(struct canvas *c, const struct camera *camera)
         c->ray_y[y] = (float)((1 - (y + 0.5) / c->height * 2) * camera->tan_y);
 }
 
-static void tiles_draw(struct canvas *c, const struct splat *splat)
+/* Tile i of the picture, without its contents. */
+static struct tile *tile_of(struct canvas *c, int i)
 {
     const struct bins *bins = &c->balls.bins;
+    struct tile *tile = &c->tiles[omp_get_thread_num()];
+    tile->left = i % bins->columns * bins->tile;
+    tile->top = i / bins->columns * bins->tile;
+    tile->width = c->width - tile->left < bins->tile ? c->width - tile->left : bins->tile;
+    tile->height = c->height - tile->top < bins->tile ? c->height - tile->top : bins->tile;
+    return tile;
+}
+
+static void spheres_draw(struct canvas *c, const struct splat *splat)
+{
+    const int count = c->balls.bins.columns * c->balls.bins.rows;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
-    for (int i = 0; i < bins->columns * bins->rows; i++) {
-        struct tile *tile = &c->tiles[omp_get_thread_num()];
-        tile->left = i % bins->columns * bins->tile;
-        tile->top = i / bins->columns * bins->tile;
-        tile->width = c->width - tile->left < bins->tile ? c->width - tile->left : bins->tile;
-        tile->height = c->height - tile->top < bins->tile ? c->height - tile->top : bins->tile;
-        size_t count;
-        const uint32_t *balls = balls_of_tile(&c->balls, i, &count);
-        c->isa->draw(splat, tile, balls, count);
+    for (int i = 0; i < count; i++) {
+        size_t most;
+        struct tile *tile = tile_of(c, i);
+        const uint32_t *balls = balls_of_tile(&c->balls, i, &most);
+        c->isa->fill(splat, tile, balls, most);
+        c->isa->shade(splat, tile);
+        c->isa->finish(splat, tile);
+    }
+}
+
+static void surface_smooth_all(struct canvas *c, size_t step)
+{
+    struct surface *f = &c->surface;
+#pragma omp parallel for schedule(dynamic, 8) num_threads(c->threads)
+    for (int y = 0; y < f->height; y++)
+        c->isa->surface->smooth(f, y, step);
+    float *depth = f->depth;
+    f->depth = f->other;
+    f->other = depth;
+}
+
+enum { SURFACE_ROUNDS = 3 };
+
+static void surface_draw(struct canvas *c, const struct splat *splat)
+{
+    const int count = c->balls.bins.columns * c->balls.bins.rows;
+    struct surface *f = &c->surface;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
+    for (int i = 0; i < count; i++) {
+        size_t most;
+        struct tile *tile = tile_of(c, i);
+        const uint32_t *balls = balls_of_tile(&c->balls, i, &most);
+        c->isa->fill(splat, tile, balls, most);
+        c->isa->surface->keep(f, tile);
+        if (!f->opaque)
+            c->isa->surface->thicken(splat, f, tile, balls, most);
+    }
+    for (int round = 0; round < SURFACE_ROUNDS; round++) {
+        surface_smooth_all(c, 1);
+        surface_smooth_all(c, f->pitch);
+    }
+#pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
+    for (int i = 0; i < count; i++) {
+        struct tile *tile = tile_of(c, i);
+        c->isa->surface->shade(splat, f, tile);
+        c->isa->finish(splat, tile);
     }
 }
 
@@ -140,18 +195,34 @@ static void background_make(const struct canvas *c, struct splat *splat)
     }
 }
 
+enum { SURFACE_LENGTHS = 16 }; /* light decays by e in this part of the domain's largest side */
+
+/* Spheres of a surface overlap: they are larger than those that are drawn as such. */
+static double surface_prepare(struct canvas *c, const struct camera *camera)
+{
+    const struct scene *scene = c->setup.scene;
+    double radius = 1.7 * c->setup.radius, side = 0;
+    for (int a = 0; a < 3; a++)
+        side = fmax(side, scene->domain.max[a] - scene->domain.min[a]);
+    surface_scale(&c->surface, radius, scene->particles.spacing, c->height / 2.0 / camera->tan_y);
+    c->surface.clarity = (float)(side / SURFACE_LENGTHS);
+    c->surface.opaque = !c->setup.solid;
+    return radius;
+}
+
 static enum status canvas_draw(void *canvas, const struct camera *camera,
                                const struct render_frame *frame, struct image *image, struct error *e)
 {
     struct canvas *c = canvas;
     const struct scene *scene = c->setup.scene;
+    const double radius = c->has_surface ? surface_prepare(c, camera) : c->setup.radius;
     struct wire wire = {.count = 0};
     struct blend blends[BLENDS_MAX];
-    struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, .lens = 1,
-                          .radius = (float)c->setup.radius, .look = look_make(scene->render.outline), .blends = blends,
+    struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, .lens = 1, .radius = (float)radius,
+                          .look = look_make(scene->render.outline), .blends = blends,
                           .samples = c->samples, .rgba = image->rgba,
                           .pitch = (size_t)image->width};
-    struct ball_view view = {.camera = camera, .radius = c->setup.radius, .width = c->width,
+    struct ball_view view = {.camera = camera, .radius = radius, .width = c->width,
                              .height = c->height, .tile = TILE / c->samples * c->samples,
                              .half = {(float)(c->width / 2.0 / camera->tan_x),
                                       (float)(-c->height / 2.0 / camera->tan_y)},
@@ -164,7 +235,10 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     if (scene->render.box)
         wire_make(&wire, scene, camera, far_distance(c, camera), c->samples);
     splat.blend_count = blends_make(&wire, c->width, c->height, blends);
-    tiles_draw(c, &splat);
+    if (c->has_surface)
+        surface_draw(c, &splat);
+    else
+        spheres_draw(c, &splat);
     return STATUS_OK;
 }
 

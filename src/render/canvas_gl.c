@@ -128,6 +128,10 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     if (!r)
         return error_set(e, STATUS_RUN, "out of memory");
     r->setup = *setup;
+    if (strcmp(setup->scene->render.style, "surface") == 0) {
+        free(r);
+        return error_set(e, STATUS_BACKEND, "render.style surface is drawn by --renderer cpu only");
+    }
     r->row = row->context;
     r->width = setup->scene->movie.size[0];
     r->height = setup->scene->movie.size[1];

@@ -61,15 +61,18 @@ struct tile {
     float color[4][TILE][TILE];
 };
 
-/* Draws spheres into a tile, nearest first where possible, colours it, and writes its pixels. */
-typedef void splat_function(const struct splat *splat, struct tile *tile, const uint32_t *balls,
-                            size_t count);
-
 /* One row for each instruction set: the same loops. */
+struct surface_loops; /* render/surface.h */
 struct splat_isa {
     const char *name;
     bool (*supported)(void);
-    splat_function *draw;
+    /* Finds the nearest sphere at each sample of a tile. */
+    void (*fill)(const struct splat *splat, struct tile *tile, const uint32_t *balls, size_t count);
+    /* Colours the spheres. */
+    void (*shade)(const struct splat *splat, struct tile *tile);
+    /* Blends the triangles over them and writes the tile's pixels. */
+    void (*finish)(const struct splat *splat, struct tile *tile);
+    const struct surface_loops *surface;
 };
 extern const struct splat_isa splat_scalar, splat_avx2, splat_avx512;
 

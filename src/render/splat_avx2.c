@@ -6,4 +6,5 @@ static bool supported(void)
     return __builtin_cpu_supports("avx2");
 }
 
-const struct splat_isa splat_avx2 = {"avx2", supported, tile_draw};
+const struct splat_isa splat_avx2 = {"avx2", supported, tile_fill, tile_shade,
+                                     tile_finish, &surface_loops};

@@ -7,4 +7,5 @@ static bool supported(void)
            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 }
 
-const struct splat_isa splat_avx512 = {"avx512", supported, tile_draw};
+const struct splat_isa splat_avx512 = {"avx512", supported, tile_fill, tile_shade,
+                                     tile_finish, &surface_loops};

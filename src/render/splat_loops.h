@@ -310,15 +310,25 @@ static void tile_resolve(const struct splat *s, const struct tile *tile)
                                                (size_t)(tile->left / n)));
 }
 
-static void tile_draw(const struct splat *s, struct tile *tile, const uint32_t *balls, size_t count)
+static void tile_fill(const struct splat *s, struct tile *tile, const uint32_t *balls, size_t count)
 {
     tile_clear(tile);
     for (size_t i = 0; i < count; i++)
         ball_splat(s, tile, balls[i]);
+}
+
+static void tile_shade(const struct splat *s, struct tile *tile)
+{
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x += CHUNK)
             chunk_color(s, tile, x, y);
+}
+
+static void tile_finish(const struct splat *s, struct tile *tile)
+{
     for (size_t i = 0; i < s->blend_count; i++)
         tile_blend(&s->blends[i], tile, s->planes);
     tile_resolve(s, tile);
 }
+
+#include "render/surface_loops.h"

@@ -6,4 +6,5 @@ static bool supported(void)
     return true;
 }
 
-const struct splat_isa splat_scalar = {"scalar", supported, tile_draw};
+const struct splat_isa splat_scalar = {"scalar", supported, tile_fill, tile_shade,
+                                     tile_finish, &surface_loops};

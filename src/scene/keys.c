@@ -159,6 +159,8 @@ const struct key scene_core_keys[] = {
     {"color.legend", KEY_BOOL, 0, "true", ANY, "", NULL, "colour bar with label and unit",
      IN(color.legend)},
 
+    {"render.style", KEY_CHOICE, 0, "\"spheres\"", ANY, "", "spheres|surface",
+     "particles as spheres, or the fluid's surface (renderer cpu)", IN(render.style)},
     {"render.background", KEY_VEC3, 0, "[0.96, 0.97, 0.98]", 0, 1, "", NULL, "red, green, blue",
      IN(render.background)},
     {"render.background_top", KEY_VEC3, KEY_AUTO, "\"auto\"", 0, 1, "", NULL,

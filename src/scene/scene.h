@@ -142,6 +142,7 @@ struct scene {
     } color;
 
     struct {
+        char style[KEY_TEXT_SIZE]; /* spheres, surface */
         double background[3]; /* 0..1 */
         double background_top[3]; /* 0..1; NAN: background */
         bool transparent;

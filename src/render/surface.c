@@ -1,0 +1,50 @@
+/* Memory and measures of the fluid's surface in the picture. */
+#include "render/surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool surface_open(struct surface *f, int width, int height)
+{
+    memset(f, 0, sizeof *f);
+    f->width = width;
+    f->height = height;
+    f->pitch = (size_t)width + 2 * SURFACE_PAD + CHUNK;
+    size_t room = f->pitch * ((size_t)height + 2 * SURFACE_PAD);
+    f->depth = malloc(room * sizeof *f->depth);
+    f->other = malloc(room * sizeof *f->other);
+    f->thickness = calloc(room, sizeof *f->thickness);
+    f->ball = malloc(room * sizeof *f->ball);
+    if (!f->depth || !f->other || !f->thickness || !f->ball)
+        return false;
+    for (size_t i = 0; i < room; i++) {
+        f->depth[i] = f->other[i] = INFINITY;
+        f->ball[i] = UINT32_MAX;
+    }
+    /* (1 - (k/(reach + 1))^2)^2: about a Gaussian, without a call of exp. */
+    for (int reach = 1; reach <= SURFACE_PAD; reach++)
+        for (int k = 0; k <= reach; k++) {
+            double u = (double)k / (reach + 1), v = 1 - u * u;
+            f->weight[reach][k] = (float)(v * v);
+        }
+    return true;
+}
+
+void surface_close(struct surface *f)
+{
+    free(f->depth);
+    free(f->other);
+    free(f->thickness);
+    free(f->ball);
+    memset(f, 0, sizeof *f);
+}
+
+void surface_scale(struct surface *f, double radius, double spacing, double samples)
+{
+    const double pi = 3.14159265358979323846;
+    f->far = (float)(4 * radius);
+    f->step = (float)radius;
+    f->reach = (float)(3.5 * radius * samples);
+    f->volume = (float)(spacing * spacing * spacing / (4 * pi / 3 * radius * radius * radius));
+}
