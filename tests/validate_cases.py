@@ -242,7 +242,8 @@ def elliptic_drop(columns, scene):
     results = []
     for name, way in ways:
         errors = [way(axis, last) / length - 1 for axis, length in zip("xy", axes)]
-        results.append(Result("short, long semi-axis by " + name, errors))
+        results.append(Result("short, long semi-axis by " + name, errors, "+%",
+                              0.01 if name == "moments" else None))
     return results + [start_axes(columns, d),
                       Result("kinetic energy, drift", energy[-1] / energy[0] - 1)]
 
@@ -264,7 +265,7 @@ def oscillating_drop(columns, scene):
     tops = fits.peaks(times, waves, [0] + crossings)
     periods = (len(tops) - 1) / 2
     radius = moment_axis(columns, "x", 0, spacing(scene))
-    return [Result("period", 2 * half / exact_period - 1),
+    return [Result("period", 2 * half / exact_period - 1, "+%", 0.005),
             Result("first amplitude", tops[0] / (0.375 * radius ** 2) - 1),
             Result("amplitude, change in a period", (tops[-1] / tops[0]) ** (1 / periods) - 1),
             start_axes(columns, spacing(scene))]
@@ -294,7 +295,7 @@ def capillary_drop(columns, scene):
 
 def square_patch(columns, _):
     energy, turning = column(columns, "kinetic"), column(columns, "angular-momentum.z")
-    return [Result("kinetic energy, drift", energy[-1] / energy[0] - 1),
+    return [Result("kinetic energy, drift", energy[-1] / energy[0] - 1, "+%", 0.004),
             Result("angular momentum, drift", turning[-1] / turning[0] - 1)]
 
 
