@@ -89,7 +89,7 @@ static void any_range(void **state)
         struct render_setup setup = fixture_setup(&scene, "auto");
         if (!variant_first(&render_contexts))
             return;
-        memcpy(setup.range, ranges[i], sizeof setup.range);
+        memcpy(setup.scale.range, ranges[i], sizeof setup.scale.range);
         setup.unit = i % 2 ? "" : NULL;
         assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_OK);
         assert_int_equal(renderer_draw(renderer, &frame, &image, &e), STATUS_OK);

@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "base/image.h"
 #include "base/variant.h"
+#include "render/maps.h"
+#include "render/scale.h"
 #include "scene/scene.h"
 
 #include <stddef.h>
@@ -15,11 +17,13 @@ extern const struct variant_table render_overlays; /* "overlays": text; missing 
 
 /* What stays the same for a whole film. */
 struct render_setup {
-    const struct scene *scene;   /* camera, movie.size, color.map, render.*, domain, title */
+    const struct scene *scene;   /* camera, movie.size, render.*, domain, title, labels */
     const char *context;         /* row of render_contexts, or "auto" */
     double radius;               /* drawn sphere radius, m */
-    double range[2];             /* colour range, in the unit below; pinned for the film */
+    struct color_scale scale;    /* of values, in the unit below; pinned for the film */
+    uint8_t palette[MAP_SIZE][3];/* colours from the low to the high end */
     const char *label, *unit;    /* of the colour bar: "speed", "m/s" */
+    const char *(*name)(const struct scene *scene, size_t number); /* of counts, or NULL */
     bool solid;                  /* no colour map: particles carry their own colour */
 };
 
@@ -31,6 +35,7 @@ struct render_frame {
     const float *position;       /* count * 3, m, relative to domain.min */
     const float *value;          /* count; colour scalar, or NULL when setup.solid */
     const uint8_t *color;        /* count * 4 RGBA when setup.solid, else NULL */
+    const struct color_scale *scale; /* of this frame's values; NULL: the setup's */
 };
 
 struct renderer;

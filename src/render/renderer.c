@@ -174,7 +174,7 @@ enum status renderer_open(struct renderer **renderer, const struct render_setup 
     r->height = setup->scene->movie.size[1];
     status = context_open(r, setup->context, e);
     if (status == STATUS_OK)
-        status = overlay_open(&r->overlay, setup, e);
+        status = overlay_open(&r->overlay, &r->setup, e);
     if (status != STATUS_OK) {
         renderer_close(r);
         return status;
@@ -291,6 +291,6 @@ enum status renderer_draw(struct renderer *r, const struct render_frame *frame,
     if (status != STATUS_OK)
         return error_context(e, "frame %ld", frame->index);
     resolve(r, image);
-    overlay_draw(r->overlay, frame->time, image);
+    overlay_draw(r->overlay, frame, image);
     return STATUS_OK;
 }

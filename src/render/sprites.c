@@ -1,8 +1,6 @@
 /* Particles as lit spheres with exact perspective and depth. */
 #include "render/sprites.h"
 
-#include "render/maps.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,13 +16,11 @@ enum { CHUNK_MAX = 1 << 26 }; /* three vertices each are numbered by an int */
 
 static void map_upload(struct sprites *s, const struct gl *gl, const struct render_setup *setup)
 {
-    const struct variant *row = variant_find(&render_maps, setup->scene->color.map);
-    uint8_t table[MAP_SIZE][3];
-    ((const struct render_map *)(row ? row : render_maps.rows[0]))->fill(table);
     gl->GenTextures(1, &s->map);
     gl->BindTexture(GL_TEXTURE_1D, s->map);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexImage1D(GL_TEXTURE_1D, 0, GL_RGB8, MAP_SIZE, 0, GL_RGB, GL_UNSIGNED_BYTE, table);
+    gl->TexImage1D(GL_TEXTURE_1D, 0, GL_RGB8, MAP_SIZE, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                   setup->palette);
     gl->TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl->TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl->TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -75,14 +71,6 @@ void sprites_close(struct sprites *s, const struct gl *gl)
     memset(s, 0, sizeof *s);
 }
 
-/* Place of a value in the range, 0..1; not a number counts as the low end. */
-static float range_place(const double range[2], float value)
-{
-    double t = range[1] > range[0] ? (value - range[0]) / (range[1] - range[0])
-                                   : (value > range[0]);
-    return t >= 1 ? 1 : t > 0 ? (float)t : 0;
-}
-
 enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
                             const struct render_frame *frame, struct error *e)
 {
@@ -96,13 +84,14 @@ enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
         s->packed = larger;
         s->capacity = room;
     }
+    const struct color_scale *scale = frame->scale ? frame->scale : &setup->scale;
     for (size_t i = 0; i < frame->count; i++) {
         float t;
         memcpy(s->packed[i], frame->position + 3 * i, 3 * sizeof(float));
         if (setup->solid) {
             memcpy(&s->packed[i][3], frame->color + 4 * i, 4);
         } else {
-            t = range_place(setup->range, frame->value[i]);
+            t = scale_place(scale, frame->value[i]);
             memcpy(&s->packed[i][3], &t, sizeof t);
         }
     }
