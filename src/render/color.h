@@ -16,7 +16,7 @@ struct color_expectation {
     double gravity; /* m/s^2 */
     double density; /* largest rest density, kg/m^3 */
     const struct scene *scene;
-    size_t particles;
+    const struct fill *start; /* of the bodies */
 };
 
 /* What a colour is taken from. */

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-enum { TEXTS_MAX = 7 }; /* of values; counts have as many as fit */
+enum { TEXTS_MAX = 7 }; /* of a smooth bar */
 
 /* The colour at place 0..1 of the map, mixed as on particles. */
 static void color_at(const uint8_t (*palette)[3], double place, double rgb[3])
@@ -90,10 +90,11 @@ void legend_draw(const struct ink *ink, const struct render_setup *setup,
     double width = setup->scene->movie.size[0], height = setup->scene->movie.size[1];
     double size = ink->size, edge = size * 1.2, text, start;
     struct layout_box bar = {.width = floor(size * 0.9), .height = floor(height * 0.42)};
-    int most = (int)fmax(2, bar.height / ((scale->counts ? 1.4 : 2.2) * size));
+    bool each = scale->steps > 1; /* a text for each colour, where there is room */
+    int most = (int)fmax(2, bar.height / ((each ? 1.5 : 2.2) * size));
     struct ticks ticks;
     char name[300];
-    ticks_make(&ticks, setup, scale, scale->counts || most < TEXTS_MAX ? most : TEXTS_MAX);
+    ticks_make(&ticks, setup, scale, each || most < TEXTS_MAX ? most : TEXTS_MAX);
     ticks_name(&ticks, setup, name, sizeof name);
     text = fmax(widest(cr, &ticks), still ? 0 : 3.5 * size);
     bar.x = floor(width - edge - text - size * 0.5 - bar.width) + 0.5;

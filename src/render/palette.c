@@ -30,7 +30,7 @@ static enum status file_fail(const struct map_file *f, const char *line, const c
 
 static const char *blank_end(const char *text)
 {
-    return text + strspn(text, " \t\r\n");
+    return text + strspn(text, " \t");
 }
 
 /* "#rrggbb" */
@@ -66,12 +66,14 @@ static enum status numbers_read(struct map_file *f, const char *line, const char
 }
 
 /* Empty lines, and those that begin with "//", say nothing. */
-static enum status line_read(struct map_file *f, const char *line)
+static enum status line_read(struct map_file *f, char *line)
 {
-    const char *at = blank_end(line);
+    const char *at;
     f->line++;
     if (strlen(line) == LINE_SIZE - 1)
         return file_fail(f, line, line, "the line is too long");
+    line[strcspn(line, "\r\n")] = '\0';
+    at = blank_end(line);
     if (!*at || strncmp(at, "//", 2) == 0)
         return STATUS_OK;
     if (f->count == ROWS_MAX)

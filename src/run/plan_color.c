@@ -15,7 +15,7 @@ static struct color_expectation expect(const struct plan *plan)
     const double *g = scene->gravity;
     struct color_expectation x = {.fastest = plan->choice.fastest, .depth = plan->choice.depth,
                                   .gravity = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]),
-                                  .scene = scene, .particles = plan->bodies.count};
+                                  .scene = scene, .start = &plan->bodies};
     for (size_t f = 0; f < scene->fluid_count; f++)
         x.density = fmax(x.density, scene->fluids[f].density);
     return x;
@@ -31,6 +31,21 @@ static void count_steps(struct plan *plan)
     scale->counts = plan->color->counts && plain && count <= STEPS_MAX;
     if (scale->counts)
         scale->steps = (int)lround(count);
+}
+
+/* Makes each step of an estimated range a round number, outwards, so that its ticks are. */
+static void round_steps(struct color_scale *scale)
+{
+    static const double factors[] = {1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
+    double low = scale->range[0], step = (scale->range[1] - low) / scale->steps;
+    double power = pow(10, floor(log10(step)));
+    size_t k = 0;
+    while (power * factors[k] < step * (1 - 1e-9))
+        k++;
+    step = power * factors[k];
+    if (low < 0) /* about zero */
+        scale->range[0] = -step * scale->steps / 2;
+    scale->range[1] = scale->range[0] + step * scale->steps;
 }
 
 static void make_scale(struct plan *plan)
@@ -53,6 +68,10 @@ static void make_scale(struct plan *plan)
         range[0] = -range[1];
     }
     count_steps(plan);
+    bool about_zero = range[0] == 0 || range[0] == -range[1];
+    if (scale->steps > 1 && !scale->counts && !scale->log && about_zero &&
+        isnan(scene->color.range[0]))
+        round_steps(scale);
 }
 
 static const struct pass_row *frame_pass(const struct color_row *color)

@@ -37,6 +37,7 @@ static enum status sum_curls(struct backend *b, struct particles *seen, struct c
                              .motion = particles_motion(seen), .rows = rows->block,
                              .row_count = rows->count, .count = seen->count,
                              .vorticity = particles_vorticity(seen)};
+    work.constants.inverse_h = 1 / b->choice.each.h; /* some solvers keep a factor of theirs in it */
     pair_function *pass = b->isa->find(PAIR_PASS_CURL, 0, false);
     size_t blocks = (seen->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
 #pragma omp parallel for schedule(dynamic, 16)

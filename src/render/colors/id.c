@@ -9,7 +9,7 @@ static float value(const struct color_source *source, size_t i)
 static void range(const struct color_expectation *expect, double out[2])
 {
     out[0] = 0;
-    out[1] = expect->particles > 1 ? (double)(expect->particles - 1) : 1;
+    out[1] = expect->start->count > 1 ? (double)(expect->start->count - 1) : 1;
 }
 
 const struct color_row color_id = {
