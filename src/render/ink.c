@@ -1,6 +1,8 @@
 /* Text and lines by cairo, legible over particles: each has a halo of the background. */
 #include "render/ink.h"
 
+#include <stddef.h>
+
 #if HAVE_CAIRO
 
 cairo_t *ink_painter(cairo_surface_t *surface, double size)
