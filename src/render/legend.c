@@ -89,9 +89,12 @@ void legend_draw(const struct ink *ink, const struct render_setup *setup,
 {
     double width = setup->scene->movie.size[0], height = setup->scene->movie.size[1];
     double size = ink->size, edge = size * 1.2, text, start;
-    struct layout_box bar = {.width = floor(size * 0.9), .height = floor(height * 0.42)};
+    struct layout_box bar = {.width = floor(size * 0.9)};
     bool each = scale->steps > 1; /* a text for each colour, where there is room */
-    int most = (int)fmax(2, bar.height / ((each ? 1.5 : 2.2) * size));
+    double line = (scale->counts ? 1.25 : each ? 1.5 : 2.2) * size; /* between texts */
+    double names = scale->counts ? fmin(0.55 * height, line * scale->steps) : 0;
+    bar.height = floor(fmax(0.42 * height, names));
+    int most = (int)fmax(2, bar.height / line);
     struct ticks ticks;
     char name[300];
     ticks_make(&ticks, setup, scale, each || most < TEXTS_MAX ? most : TEXTS_MAX);

@@ -8,7 +8,7 @@ struct overlay;
 
 /* Places all parts, and draws what stays the same for the film. *overlay is NULL when the scene wants
  * nothing, the picture is too small for text, or the build has no cairo. STATUS_RUN when memory is
- * short. */
+ * short. The setup must outlive it. */
 enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
                          struct error *e);
 
