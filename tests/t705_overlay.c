@@ -143,6 +143,39 @@ static void nothing_meets(void **state)
     }
 }
 
+/* A bar of n steps has exactly n colours, from one end of the map to the other. */
+static void bar_steps(void **state)
+{
+    static const int counts[] = {2, 5, 7, 12};
+    struct scene scene;
+    struct image image = {0};
+    struct renderer *renderer;
+    struct error e;
+    struct render_frame frame = {.time = 0};
+    (void)state;
+    fixture_scene(&scene, 640, 360);
+    scene.color.legend = true;
+    if (!variant_first(&render_contexts) || render_overlays.rows[0]->missing)
+        return;
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+        struct render_setup setup = fixture_setup(&scene, "auto");
+        int found = 0, column = 0;
+        setup.scale.steps = counts[c];
+        assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_OK);
+        assert_int_equal(renderer_draw(renderer, &frame, &image, &e), STATUS_OK);
+        while (image.rgba[(180 * 640 + column) * 4 + 2] == 0) /* the bar is the first from the left */
+            column++;
+        for (int y = 90, run = 0; y < 270; y++) {
+            const uint8_t *p = image.rgba + (y * 640 + column + 4) * 4;
+            run = memcmp(p, p - 640 * 4, 3) == 0 && (p[0] || p[1] || p[2]) ? run + 1 : 0;
+            found += run == 5;
+        }
+        assert_int_equal(found, counts[c]);
+        renderer_close(renderer);
+    }
+    image_free(&image);
+}
+
 /* At the distance of the target, 1.5 m before the eye, a bar is as long as it says. */
 static void scale_bar_length(void **state)
 {
@@ -210,6 +243,7 @@ int main(void)
         cmocka_unit_test(any_range),
         cmocka_unit_test(nothing_meets),
         cmocka_unit_test(scale_bar_length),
+        cmocka_unit_test(bar_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
