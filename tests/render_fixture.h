@@ -2,6 +2,7 @@
 #ifndef RENDER_FIXTURE_H
 #define RENDER_FIXTURE_H
 
+#include "render/palette.h"
 #include "render/render.h"
 
 #include <math.h>
@@ -24,6 +25,7 @@ static inline void fixture_scene(struct scene *scene, int width, int height)
         scene->camera.eye[k] = scene->camera.target[k] = NAN;
     scene->camera.up[1] = 1;
     scene->camera.fov = 35;
+    scene->color.percentiles[0] = scene->color.percentiles[1] = NAN;
     strcpy(scene->color.map, "viridis");
     strcpy(scene->render.style, "spheres");
     scene->render.samples = 2;
@@ -34,7 +36,9 @@ static inline void fixture_scene(struct scene *scene, int width, int height)
 static inline struct render_setup fixture_setup(const struct scene *scene, const char *context)
 {
     struct render_setup setup = {.scene = scene, .renderer = context, .radius = 0.01,
-                                 .range = {0, 3}, .label = "speed", .unit = "m/s"};
+                                 .scale = {.range = {0, 3}}, .label = "speed", .unit = "m/s"};
+    struct error ignored;
+    palette_make(scene, false, setup.palette, &ignored);
     return setup;
 }
 

@@ -73,6 +73,29 @@ plan -o null --set solver.diffusion_form=antuono
 has "term density diffusion" "but not where diffusion is 0"
 lacks " gradient 16" "nor memory"
 
+plan -o hash
+lacks "before each frame" "speed needs no pass before a frame"
+lacks " vorticity 4" "nor memory"
+plan -o hash --color vorticity
+has "  1 curl " "vorticity has one"
+has " vorticity 4" "and memory"
+plan -o null --color vorticity
+lacks "before each frame" "but not without frames"
+
+# states ARGUMENTS...: the state's hashes, steps and sorts of a run
+states() {
+    run_report "$@" && jq -c '[.frames[].state], .steps, .sorts' "$work/report.json" >"$work/states"
+}
+states -o null && mv "$work/states" "$work/plain"
+if "$SPH" list renderers | grep -q cpu; then
+    states -o hash --color velocity && cmp "$work/plain" "$work/states" >"$work/out" 2>&1 &&
+        jq -e '.seconds | has("curl") | not' "$work/report.json" >/dev/null
+    result $? "drawing speed runs no curl, and leaves the state as it is"
+    states -o hash --color vorticity && cmp "$work/plain" "$work/states" >"$work/out" 2>&1 &&
+        jq -e '.seconds.curl > 0' "$work/report.json" >/dev/null
+    result $? "drawing vorticity runs it, and leaves the state as it is"
+fi
+
 run_report -o null
 result $? "a run without output"
 jq -e '.bytes.position > 0 and .bytes.motion > 0' "$work/report.json" >/dev/null

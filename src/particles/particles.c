@@ -29,6 +29,7 @@ const struct field_row field_table[FIELD_COUNT] = {
     [FIELD_PRODUCT] = {"product", "matrix times direction", sizeof(float), 0},
     [FIELD_NORMAL] = {"normal", "normal of the fluid's surface", 4 * sizeof(float), 0},
     [FIELD_GRADIENT] = {"gradient", "density and its gradient", 4 * sizeof(float), 0},
+    [FIELD_VORTICITY] = {"vorticity", "magnitude of the curl of velocity", sizeof(float), 0},
 };
 
 enum status particles_create(struct particles *particles, size_t count, unsigned fields,

@@ -46,6 +46,7 @@ enum field {
     FIELD_DIRECTION, /* float: search direction of conjugate gradients */
     FIELD_PRODUCT,   /* float: the matrix times it */
     FIELD_GRADIENT,  /* struct gradient (solver/diffusion.h) */
+    FIELD_VORTICITY, /* float, 1/s (solver/curl.h): of frames */
     FIELD_COUNT
 };
 
@@ -98,6 +99,10 @@ static inline float *particles_density(const struct particles *p)
 static inline struct rate *particles_rate(const struct particles *p)
 {
     return p->now[FIELD_RATE];
+}
+static inline float *particles_vorticity(const struct particles *p)
+{
+    return p->now[FIELD_VORTICITY];
 }
 static inline uint32_t *particles_id(const struct particles *p)
 {

@@ -1,20 +1,12 @@
 /* Puts a frame's particles into camera axes and into the tiles that they may cover. */
 #include "render/balls.h"
 
-#include "render/maps.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-void balls_map(const struct render_setup *setup, uint8_t map[256][3])
-{
-    const struct variant *row = variant_find(&render_maps, setup->scene->color.map);
-    ((const struct render_map *)(row ? row : render_maps.rows[0]))->fill(map);
-}
-
 /* Between the two nearest colours of the map; the ends of the range are the first and the last. */
-static void map_color(uint8_t (*map)[3], double place, uint8_t rgb[3])
+static void map_color(const uint8_t map[MAP_SIZE][3], double place, uint8_t rgb[3])
 {
     double t = place * (MAP_SIZE - 1);
     int low = t < MAP_SIZE - 2 ? (int)t : MAP_SIZE - 2;
@@ -51,12 +43,13 @@ static void ball_make(const struct ball_view *v, const struct render_frame *fram
     float distance2 = ball->x * ball->x + ball->y * ball->y + ball->z * ball->z;
     if (!(ball->z > 0 && distance2 > radius * radius && distance2 < 1e30F))
         return;
+    const struct color_scale *scale = frame->scale ? frame->scale : &v->setup->scale;
     extent(ball->x, ball->z, radius, v->half[0], v->width, &ball->left, &ball->right);
     extent(ball->y, ball->z, radius, v->half[1], v->height, &ball->top, &ball->bottom);
     if (v->setup->solid)
         memcpy(ball->rgb, frame->color + 4 * i, 3);
     else
-        map_color(v->map, render_place(v->setup->range, frame->value[i]), ball->rgb);
+        map_color(v->setup->palette, scale_place(scale, frame->value[i]), ball->rgb);
 }
 
 /* Calls for each tile that the sphere may cover. */

@@ -24,15 +24,11 @@ struct balls {
 struct ball_view {
     const struct camera *camera;
     const struct render_setup *setup;
-    uint8_t (*map)[3];       /* colours of the map */
     double radius;           /* m */
     int width, height;       /* samples of the picture */
     float half[2];           /* samples from its middle to tangent 1, rightwards and downwards */
     int tile, threads;
 };
-
-/* The scene's colour map. */
-void balls_map(const struct render_setup *setup, uint8_t map[256][3]);
 
 /* STATUS_RUN when memory is short. */
 enum status balls_make(struct balls *balls, const struct ball_view *view,

@@ -20,7 +20,6 @@ struct canvas {
     struct tile *tiles;   /* of each thread */
     struct surface surface; /* of style surface */
     bool has_surface;
-    uint8_t map[256][3];
     char name[64];
 };
 
@@ -88,7 +87,6 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     c->height = size[1] * c->samples;
     snprintf(c->name, sizeof c->name, "cpu (%s, %d thread%s)", c->isa->name, c->threads,
              c->threads == 1 ? "" : "s");
-    balls_map(setup, c->map);
     if (room_make(c, e)) {
         canvas_close(c);
         return e->status;
@@ -226,7 +224,7 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
                              .height = c->height, .tile = TILE / c->samples * c->samples,
                              .half = {(float)(c->width / 2.0 / camera->tan_x),
                                       (float)(-c->height / 2.0 / camera->tan_y)},
-                             .threads = c->threads, .map = c->map, .setup = &c->setup};
+                             .threads = c->threads, .setup = &c->setup};
     background_make(c, &splat);
     rays_make(c, camera);
     if (balls_make(&c->balls, &view, frame, e))

@@ -1,212 +1,158 @@
-/* What is written over a frame: colour bar, title and time stamp. */
+/* What is written over a frame: places of its parts, those that change, and blending. */
 #include "render/overlay.h"
+
+#include "base/log.h"
 
 #if HAVE_CAIRO
 
 #include "render/camera.h"
-#include "render/maps.h"
+#include "render/layout.h"
+#include "render/legend.h"
+#include "render/marks.h"
 
-#include <cairo.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT_HEIGHT_MIN = 8 /* pixels; smaller is not legible */, TICK_MAX = 8 };
+enum { TEXT_HEIGHT_MIN = 8 /* pixels; smaller is not legible */ };
+
+/* What is drawn anew for each frame. */
+enum part { PART_LEGEND, PART_TIME, PART_AXES, PART_BAR, PART_COUNT };
 
 struct overlay {
+    const struct render_setup *setup;
+    struct ink ink;
+    struct layout layout;
     cairo_surface_t *still; /* of the picture's size */
-    cairo_surface_t *stamp; /* redrawn for each frame, at the lower left */
-    double size;            /* of text, pixels */
-    double ink;             /* grey level of text, 0 or 1; the halo is the background */
-    const double *background;
-    int decimals;           /* of the time stamp */
+    struct {
+        cairo_surface_t *surface; /* of the box; NULL: not wanted */
+        struct layout_box box;
+    } parts[PART_COUNT];
+    int decimals; /* of the time stamp */
 };
 
-static cairo_t *painter(cairo_surface_t *surface, double size)
+static double text_height(double size)
 {
-    cairo_t *cr = cairo_create(surface);
-    cairo_font_options_t *options = cairo_font_options_create();
-    cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
-    cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_SLIGHT);
-    cairo_set_font_options(cr, options);
-    cairo_font_options_destroy(options);
-    cairo_select_font_face(cr, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cr, size);
-    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-    return cr;
+    return size * 1.25; /* baseline at 1.0 */
 }
 
-static double text_width(cairo_t *cr, const char *text)
+static void time_text(const struct overlay *o, double time, char text[64])
 {
-    cairo_text_extents_t extents;
-    cairo_text_extents(cr, text, &extents);
-    return extents.x_advance;
+    snprintf(text, 64, "t = %.*f s", o->decimals, time);
 }
 
-/* Text with a halo of the background, legible over particles too; (x, y) is its baseline start. */
-static void text_draw(const struct overlay *o, cairo_t *cr, double x, double y, const char *text)
+/* A surface for a part that changes, where it lies. */
+static enum status part_open(struct overlay *o, enum part part, const struct layout_box *box,
+                             struct error *e)
 {
-    cairo_move_to(cr, x, y);
-    cairo_text_path(cr, text);
-    cairo_set_source_rgba(cr, o->background[0], o->background[1], o->background[2], 0.7);
-    cairo_set_line_width(cr, o->size * 0.22);
-    cairo_stroke_preserve(cr);
-    cairo_set_source_rgba(cr, o->ink, o->ink, o->ink, 0.92);
-    cairo_fill(cr);
+    double margin = ceil(o->ink.size * 0.2); /* of halos */
+    struct layout_box *own = &o->parts[part].box;
+    own->x = fmax(0, floor(box->x - margin));
+    own->y = fmax(0, floor(box->y - margin));
+    own->width = ceil(box->x + box->width + margin) - own->x;
+    own->height = ceil(box->y + box->height + margin) - own->y;
+    o->parts[part].surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)own->width,
+                                                        (int)own->height);
+    if (cairo_surface_status(o->parts[part].surface) != CAIRO_STATUS_SUCCESS)
+        return error_set(e, STATUS_RUN, "no memory for the text over the picture");
+    return STATUS_OK;
 }
 
-/* The round step (1, 2 or 5 times a power of ten) that gives the most ticks up to `most`. */
-static double tick_step(double span, int most)
+/* Places a part that changes; one without room is left out. */
+static enum status part_place(struct overlay *o, enum part part, enum label_place at, double width,
+                              double height, struct error *e)
 {
-    double power = pow(10, floor(log10(span / most)));
-    static const double factors[] = {1, 2, 5, 10};
-    for (size_t i = 0; i < 4; i++)
-        if (span / (power * factors[i]) <= most)
-            return power * factors[i];
-    return power * 20;
+    struct layout_box box;
+    if (!layout_place(&o->layout, at, width, height, &box))
+        return STATUS_OK;
+    return part_open(o, part, &box, e);
 }
 
-/* The power of ten, a multiple of 3, that is put before the unit to keep tick texts short. */
-static int tick_exponent(const double range[2])
+/* A text too wide for the picture shrinks rather than being cut. */
+static void label_draw(struct overlay *o, enum label_place at, double size, const char *text)
 {
-    double largest = fmax(fabs(range[0]), fabs(range[1]));
-    if (!isfinite(largest) || largest == 0 || (largest >= 0.01 && largest < 10000))
-        return 0;
-    return 3 * (int)floor(log10(largest) / 3 + 1e-9);
-}
-
-static void tick_text(char *text, size_t size, double value, double step, int exponent)
-{
-    double scale = pow(10, exponent);
-    int decimals = (int)fmin(9, fmax(0, -floor(log10(step / scale) + 1e-9)));
-    snprintf(text, size, "%.*f", decimals, fabs(value) < step / 2 ? 0 : value / scale);
-}
-
-/* "speed (m/s)", "pressure (10^3 Pa)" with the exponent raised. */
-static void bar_name(char *text, size_t size, const struct render_setup *setup)
-{
-    static const char *const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-    const char *label = setup->label ? setup->label : "", *unit = setup->unit ? setup->unit : "";
-    int exponent = tick_exponent(setup->range), n = abs(exponent);
-    char power[40] = "";
-    if (exponent)
-        snprintf(power, sizeof power, "10%s%s%s%s%s", exponent < 0 ? "\u207b" : "",
-                 n >= 100 ? digits[n / 100 % 10] : "", n >= 10 ? digits[n / 10 % 10] : "",
-                 digits[n % 10], *unit ? " " : "");
-    if (*unit || exponent)
-        snprintf(text, size, "%s (%s%s)", label, power, unit);
-    else
-        snprintf(text, size, "%s", label);
-}
-
-struct bar {
-    double x, y, width, height; /* pixels */
-    const double *range;
-};
-
-static void bar_fill(const struct overlay *o, cairo_t *cr, const struct bar *bar,
-                     const struct render_map *map)
-{
-    uint8_t rgb[MAP_SIZE][3];
-    cairo_pattern_t *gradient = cairo_pattern_create_linear(0, bar->y + bar->height, 0, bar->y);
-    map->fill(rgb);
-    for (int i = 0; i < MAP_SIZE; i++)
-        cairo_pattern_add_color_stop_rgb(gradient, i / (MAP_SIZE - 1.0), rgb[i][0] / 255.0,
-                                         rgb[i][1] / 255.0, rgb[i][2] / 255.0);
-    cairo_rectangle(cr, bar->x, bar->y, bar->width, bar->height);
-    cairo_set_source(cr, gradient);
-    cairo_fill_preserve(cr);
-    cairo_pattern_destroy(gradient);
-    cairo_set_source_rgba(cr, o->ink, o->ink, o->ink, 0.6);
-    cairo_set_line_width(cr, fmax(1, o->size / 16));
-    cairo_stroke(cr);
-}
-
-/* Calls for each tick; draws it, or only measures when `draw` is false. Returns the widest text. */
-static double bar_ticks(const struct overlay *o, cairo_t *cr, const struct bar *bar, bool draw)
-{
-    double low = bar->range[0], high = bar->range[1], span = high - low, widest = 0;
-    int most = (int)fmin(TICK_MAX - 1, fmax(1, bar->height / (2.2 * o->size)));
-    double step = tick_step(span, most);
-    int exponent = tick_exponent(bar->range);
-    double first = ceil(low / step - 1e-9);
-    for (int i = 0; i <= TICK_MAX && (first + i) * step <= high + 1e-9 * span; i++) {
-        double value = (first + i) * step;
-        double y = bar->y + bar->height * (high - value) / span;
-        char text[64];
-        tick_text(text, sizeof text, value, step, exponent);
-        widest = fmax(widest, text_width(cr, text));
-        if (!draw)
-            continue;
-        cairo_set_source_rgba(cr, o->ink, o->ink, o->ink, 0.8);
-        cairo_set_line_width(cr, fmax(1, o->size / 16));
-        cairo_move_to(cr, bar->x + bar->width, y);
-        cairo_rel_line_to(cr, o->size * 0.3, 0);
-        cairo_stroke(cr);
-        text_draw(o, cr, bar->x + bar->width + o->size * 0.5, y + o->size * 0.36, text);
-    }
-    return widest;
-}
-
-/* A vertical bar at the right edge, ticks to its right, name and unit above. */
-static void bar_draw(const struct overlay *o, const struct render_setup *setup, cairo_t *cr,
-                     const struct scene *scene)
-{
-    const struct variant *row = variant_find(&render_maps, scene->color.map);
-    double width = scene->movie.size[0], height = scene->movie.size[1], edge = o->size * 1.2;
-    struct bar bar = {.width = floor(o->size * 0.9), .height = floor(height * 0.42),
-                      .range = setup->range};
-    bool ticks = setup->range[1] > setup->range[0] && isfinite(setup->range[1] - setup->range[0]);
-    double widest = ticks ? bar_ticks(o, cr, &bar, false) : 0;
-    char name[300];
-    bar_name(name, sizeof name, setup);
-    bar.x = floor(width - edge - widest - o->size * 0.5 - bar.width) + 0.5;
-    bar.y = floor((height - bar.height) / 2) + 0.5;
-    bar_fill(o, cr, &bar, (const struct render_map *)(row ? row : render_maps.rows[0]));
-    if (ticks)
-        bar_ticks(o, cr, &bar, true);
-    text_draw(o, cr, fmax(0, fmin(bar.x, width - edge - text_width(cr, name))),
-              bar.y - o->size * 0.75, name);
-}
-
-static void title_draw(const struct overlay *o, const struct scene *scene)
-{
-    double size = o->size * 1.35;
-    cairo_t *cr = painter(o->still, size);
-    double free_width = scene->movie.size[0] - 2.4 * o->size, width = text_width(cr, scene->title);
-    if (width > free_width) { /* a long title shrinks rather than being cut */
-        size *= free_width / width;
+    cairo_t *cr = ink_painter(o->still, size);
+    double room = o->layout.width - 2 * o->layout.side, width = ink_width(cr, text);
+    struct layout_box box;
+    if (width > room) {
+        size *= room / width;
         cairo_set_font_size(cr, size);
+        width = room;
     }
-    if (size >= TEXT_HEIGHT_MIN)
-        text_draw(o, cr, o->size * 1.2, o->size * 1.1 + size * 0.76, scene->title);
+    if (size < TEXT_HEIGHT_MIN || !layout_place(&o->layout, at, width, text_height(size), &box))
+        log_info("no room for the text \"%s\"", text);
+    else
+        ink_text(&o->ink, cr, box.x, box.y + size, text);
     cairo_destroy(cr);
 }
 
-static enum status still_make(struct overlay *o, const struct render_setup *setup,
-                              struct error *e)
+static enum status legend_open(struct overlay *o, cairo_t *cr, struct error *e)
 {
-    const struct scene *scene = setup->scene;
+    const struct render_setup *setup = o->setup;
+    bool still = isnan(setup->scene->color.percentiles[0]);
+    struct layout_box box;
+    if (!setup->scene->color.legend || setup->solid)
+        return STATUS_OK;
+    if (still) {
+        legend_draw(&o->ink, setup, &setup->scale, true, cr, &box);
+    } else { /* anywhere at the right edge */
+        box = (struct layout_box){floor(o->layout.width * 0.6), o->layout.height * 0.2, 0, 0};
+        box.width = o->layout.width - box.x;
+        box.height = o->layout.height * 0.6;
+        if (part_open(o, PART_LEGEND, &box, e))
+            return e->status;
+    }
+    layout_take(&o->layout, &box);
+    return STATUS_OK;
+}
+
+static enum status parts_open(struct overlay *o, cairo_t *cr, struct error *e)
+{
+    const struct scene *scene = o->setup->scene;
+    double width, height, axes = marks_axes_size(&o->ink);
+    char text[64];
+    time_text(o, scene->time.end, text);
+    if (scene->render.time && part_place(o, PART_TIME, LABEL_BOTTOM_LEFT, ink_width(cr, text),
+                                         text_height(o->ink.size), e))
+        return e->status;
+    if (scene->render.axes && part_place(o, PART_AXES, LABEL_BOTTOM_LEFT, axes, axes, e))
+        return e->status;
+    marks_bar_size(&o->ink, scene, cr, &width, &height);
+    if (scene->render.scale_bar && part_place(o, PART_BAR, LABEL_BOTTOM_RIGHT, width, height, e))
+        return e->status;
+    return STATUS_OK;
+}
+
+static enum status all_open(struct overlay *o, struct error *e)
+{
+    const struct scene *scene = o->setup->scene;
+    cairo_t *cr;
+    enum status status;
     o->still = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, scene->movie.size[0],
                                           scene->movie.size[1]);
-    if (scene->render.time)
-        o->stamp = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)ceil(o->size * 12),
-                                              (int)ceil(o->size * 1.7));
-    if (cairo_surface_status(o->still) != CAIRO_STATUS_SUCCESS ||
-        (o->stamp && cairo_surface_status(o->stamp) != CAIRO_STATUS_SUCCESS))
+    if (cairo_surface_status(o->still) != CAIRO_STATUS_SUCCESS)
         return error_set(e, STATUS_RUN, "no memory for the text over the picture");
-    if (scene->render.title && scene->title[0])
-        title_draw(o, scene);
-    if (scene->color.legend && !setup->solid) {
-        cairo_t *cr = painter(o->still, o->size);
-        bar_draw(o, setup, cr, scene);
-        cairo_destroy(cr);
-    }
+    cr = ink_painter(o->still, o->ink.size);
+    status = legend_open(o, cr, e);
+    if (!status && scene->render.title && scene->title[0])
+        label_draw(o, LABEL_TOP_LEFT, o->ink.size * 1.35, scene->title);
+    if (!status)
+        status = parts_open(o, cr, e);
+    for (size_t i = 0; !status && i < scene->label_count; i++)
+        label_draw(o, scene->labels[i].at, o->ink.size * scene->labels[i].size,
+                   scene->labels[i].text);
+    cairo_destroy(cr);
     cairo_surface_flush(o->still);
-    return STATUS_OK;
+    return status;
+}
+
+static bool is_wanted(const struct render_setup *setup)
+{
+    const struct scene *scene = setup->scene;
+    return scene->render.time || scene->render.axes || scene->render.scale_bar ||
+           scene->label_count || (scene->render.title && scene->title[0]) ||
+           (scene->color.legend && !setup->solid);
 }
 
 enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
@@ -214,23 +160,21 @@ enum status overlay_open(struct overlay **overlay, const struct render_setup *se
 {
     const struct scene *scene = setup->scene;
     const double *back = scene->render.background;
-    double size = camera_text_size(scene);
-    double interval = scene->movie.speed / scene->movie.fps;
-    bool wanted = scene->render.time || (scene->render.title && scene->title[0]) ||
-                  (scene->color.legend && !setup->solid);
+    double size = camera_text_size(scene), interval = scene->movie.speed / scene->movie.fps;
     struct overlay *o;
     enum status status;
     *overlay = NULL;
-    if (!wanted || size == 0)
+    if (!is_wanted(setup) || size == 0)
         return STATUS_OK;
     o = calloc(1, sizeof *o);
     if (!o)
         return error_set(e, STATUS_RUN, "out of memory");
-    o->size = size;
-    o->background = back;
-    o->ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0 : 1;
+    o->setup = setup;
+    o->ink = (struct ink){size, back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0 : 1, back};
+    o->layout = (struct layout){.width = scene->movie.size[0], .height = scene->movie.size[1],
+                                .side = size * 1.2, .end = size * 0.95, .gap = size * 0.4};
     o->decimals = interval > 0 ? (int)fmin(6, fmax(1, ceil(-log10(interval)))) : 3;
-    status = still_make(o, setup, e);
+    status = all_open(o, e);
     if (status != STATUS_OK) {
         overlay_close(o);
         o = NULL;
@@ -263,22 +207,52 @@ static void blend(cairo_surface_t *surface, int left, int top, struct image *ima
     }
 }
 
-void overlay_draw(struct overlay *o, double time, struct image *image)
+/* Draws in coordinates of the picture. */
+static void part_draw(const struct overlay *o, enum part part, const struct render_frame *frame,
+                      const struct camera *camera, cairo_t *cr)
 {
+    const struct scene *scene = o->setup->scene;
+    double margin = ceil(o->ink.size * 0.2);
+    struct layout_box box = o->parts[part].box, drawn;
+    char text[64];
+    box = (struct layout_box){box.x + margin, box.y + margin, box.width - 2 * margin,
+                              box.height - 2 * margin};
+    switch (part) {
+    case PART_LEGEND:
+        legend_draw(&o->ink, o->setup, frame->scale ? frame->scale : &o->setup->scale, false, cr,
+                    &drawn);
+        break;
+    case PART_TIME:
+        time_text(o, frame->time, text);
+        ink_text(&o->ink, cr, box.x, box.y + o->ink.size, text);
+        break;
+    case PART_AXES: marks_axes_draw(&o->ink, camera, &box, cr); break;
+    case PART_BAR: marks_bar_draw(&o->ink, scene, camera, &box, cr); break;
+    case PART_COUNT: break;
+    }
+}
+
+void overlay_draw(struct overlay *o, const struct render_frame *frame, struct image *image)
+{
+    struct camera camera;
     if (!o)
         return;
     blend(o->still, 0, 0, image);
-    if (o->stamp) {
-        char text[64];
-        cairo_t *cr = painter(o->stamp, o->size);
+    camera_make(&camera, o->setup->scene, o->setup->radius, frame->time);
+    for (int k = 0; k < PART_COUNT; k++) {
+        cairo_surface_t *surface = o->parts[k].surface;
+        const struct layout_box *box = &o->parts[k].box;
+        if (!surface)
+            continue;
+        cairo_t *cr = ink_painter(surface, o->ink.size);
         cairo_set_operator(cr, CAIRO_OPERATOR_CLEAR);
         cairo_paint(cr);
         cairo_set_operator(cr, CAIRO_OPERATOR_OVER);
-        snprintf(text, sizeof text, "t = %.*f s", o->decimals, time);
-        text_draw(o, cr, o->size * 0.2, o->size * 1.2, text);
+        cairo_translate(cr, -box->x, -box->y);
+        part_draw(o, (enum part)k, frame, &camera, cr);
         cairo_destroy(cr);
-        cairo_surface_flush(o->stamp);
-        blend(o->stamp, (int)o->size, image->height - (int)(o->size * 2.4), image);
+        cairo_surface_flush(surface);
+        blend(surface, (int)box->x, (int)box->y, image);
     }
 }
 
@@ -288,32 +262,32 @@ void overlay_close(struct overlay *o)
         return;
     if (o->still)
         cairo_surface_destroy(o->still);
-    if (o->stamp)
-        cairo_surface_destroy(o->stamp);
+    for (int k = 0; k < PART_COUNT; k++)
+        if (o->parts[k].surface)
+            cairo_surface_destroy(o->parts[k].surface);
     free(o);
 }
 
 #define MISSING NULL
 #else
 
-#include "base/log.h"
-
 enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
                          struct error *e)
 {
     const struct scene *scene = setup->scene;
     (void)e;
-    if (scene->color.legend || scene->render.time || scene->render.title)
-        log_info("frames come without title, time and colour bar: this build has no cairo (make "
-                 "CAIRO=1, Debian package libcairo2-dev)");
+    if (scene->color.legend || scene->render.time || scene->render.title ||
+        scene->render.scale_bar || scene->render.axes || scene->label_count)
+        log_info("frames come without text and marks: this build has no cairo (make CAIRO=1, Debian "
+                 "package libcairo2-dev)");
     *overlay = NULL;
     return STATUS_OK;
 }
 
-void overlay_draw(struct overlay *overlay, double time, struct image *image)
+void overlay_draw(struct overlay *overlay, const struct render_frame *frame, struct image *image)
 {
     (void)overlay;
-    (void)time;
+    (void)frame;
     (void)image;
 }
 
@@ -326,12 +300,13 @@ void overlay_close(struct overlay *overlay)
 #endif
 
 static const struct variant text_row = {
-    .name = "text", .doc = "colour bar, title and time stamp by cairo", .missing = MISSING};
+    .name = "text", .doc = "colour bar, title, time, labels, scale bar and axes by cairo",
+    .missing = MISSING};
 static const struct variant *const rows[] = {&text_row};
 
 const struct variant_table render_overlays = {
     .name = "overlays",
-    .doc = "what is written over frames (color.legend, render.time, render.title)",
+    .doc = "what is written over frames (color.legend, render.time, title, scale_bar, axes; labels)",
     .rows = rows,
     .count = sizeof rows / sizeof rows[0],
 };

@@ -1,4 +1,4 @@
-/* What is written over a frame: colour bar, title and time stamp. */
+/* What is written over a frame: colour bar, title, time stamp, labels, scale bar and axes. */
 #ifndef RENDER_OVERLAY_H
 #define RENDER_OVERLAY_H
 
@@ -6,13 +6,14 @@
 
 struct overlay;
 
-/* Draws what stays the same for the film. *overlay is NULL when the scene wants nothing, the
- * picture is too small for text, or the build has no cairo. STATUS_RUN when memory is short. */
+/* Places all parts, and draws what stays the same for the film. *overlay is NULL when the scene wants
+ * nothing, the picture is too small for text, or the build has no cairo. STATUS_RUN when memory is
+ * short. The setup must outlive it. */
 enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
                          struct error *e);
 
-/* Puts it over a frame of movie.size; `time` in s. Accepts NULL. */
-void overlay_draw(struct overlay *overlay, double time, struct image *image);
+/* Puts it over a frame of movie.size. Accepts NULL. */
+void overlay_draw(struct overlay *overlay, const struct render_frame *frame, struct image *image);
 void overlay_close(struct overlay *overlay);
 
 #endif

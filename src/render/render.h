@@ -5,6 +5,8 @@
 #include "base/error.h"
 #include "base/image.h"
 #include "base/variant.h"
+#include "render/maps.h"
+#include "render/scale.h"
 #include "scene/scene.h"
 
 #include <stddef.h>
@@ -15,13 +17,15 @@ extern const struct variant_table render_overlays; /* "overlays": text; missing 
 
 /* What stays the same for a whole film. */
 struct render_setup {
-    const struct scene *scene;   /* camera, movie.size, color.map, render.*, domain, title */
+    const struct scene *scene;   /* camera, movie.size, render.*, domain, title, labels */
     const char *renderer;        /* row of render_table, or "auto" */
     int threads;                 /* of the cpu renderer; 0: all processors */
     const char *isa;             /* of the cpu renderer: a row of "isas"; NULL, "auto": the best */
     double radius;               /* drawn sphere radius, m */
-    double range[2];             /* colour range, in the unit below; pinned for the film */
+    struct color_scale scale;    /* of values, in the unit below; pinned for the film */
+    uint8_t palette[MAP_SIZE][3];/* colours from the low to the high end */
     const char *label, *unit;    /* of the colour bar: "speed", "m/s" */
+    const char *(*name)(const struct scene *scene, size_t number); /* of counts, or NULL */
     bool solid;                  /* no colour map: particles carry their own colour */
 };
 
@@ -33,10 +37,8 @@ struct render_frame {
     const float *position;       /* count * 3, m, relative to domain.min */
     const float *value;          /* count; colour scalar, or NULL when setup.solid */
     const uint8_t *color;        /* count * 4 RGBA when setup.solid, else NULL */
+    const struct color_scale *scale; /* of this frame's values; NULL: the setup's */
 };
-
-/* Place of a value in a range, 0..1; not a number counts as the low end. */
-float render_place(const double range[2], float value);
 
 struct renderer;
 

@@ -16,13 +16,6 @@ struct renderer {
     int width, height; /* pixels */
 };
 
-float render_place(const double range[2], float value)
-{
-    double t = range[1] > range[0] ? ((double)value - range[0]) / (range[1] - range[0])
-                                   : (double)((double)value > range[0]);
-    return t >= 1 ? 1 : t > 0 ? (float)t : 0;
-}
-
 /* Tries the rows of this build in order, and keeps what each one said. OpenGL that a processor emulates
  * is slower than the cpu renderer, which comes next. */
 static enum status any_open(struct renderer *r, struct error *e)
@@ -74,7 +67,7 @@ enum status renderer_open(struct renderer **renderer, const struct render_setup 
     r->height = setup->scene->movie.size[1];
     enum status status = canvas_choose(r, e);
     if (status == STATUS_OK)
-        status = overlay_open(&r->overlay, setup, e);
+        status = overlay_open(&r->overlay, &r->setup, e);
     if (status == STATUS_OK)
         *renderer = r;
     else
@@ -109,6 +102,6 @@ enum status renderer_draw(struct renderer *r, const struct render_frame *frame,
     camera_make(&camera, r->setup.scene, r->setup.radius, frame->time);
     if (r->row->draw(r->canvas, &camera, frame, image, e))
         return error_context(e, "frame %ld", frame->index);
-    overlay_draw(r->overlay, frame->time, image);
+    overlay_draw(r->overlay, frame, image);
     return STATUS_OK;
 }

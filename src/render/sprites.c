@@ -2,7 +2,6 @@
 #include "render/sprites.h"
 
 #include "render/look.h"
-#include "render/maps.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,13 +18,11 @@ enum { CHUNK_MAX = 1 << 26 }; /* three vertices each are numbered by an int */
 
 static void map_upload(struct sprites *s, const struct gl *gl, const struct render_setup *setup)
 {
-    const struct variant *row = variant_find(&render_maps, setup->scene->color.map);
-    uint8_t table[MAP_SIZE][3];
-    ((const struct render_map *)(row ? row : render_maps.rows[0]))->fill(table);
     gl->GenTextures(1, &s->map);
     gl->BindTexture(GL_TEXTURE_1D, s->map);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexImage1D(GL_TEXTURE_1D, 0, GL_RGB8, MAP_SIZE, 0, GL_RGB, GL_UNSIGNED_BYTE, table);
+    gl->TexImage1D(GL_TEXTURE_1D, 0, GL_RGB8, MAP_SIZE, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                   setup->palette);
     gl->TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl->TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl->TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -92,13 +89,14 @@ enum status sprites_prepare(struct sprites *s, const struct render_setup *setup,
         s->packed = larger;
         s->capacity = room;
     }
+    const struct color_scale *scale = frame->scale ? frame->scale : &setup->scale;
     for (size_t i = 0; i < frame->count; i++) {
         float t;
         memcpy(s->packed[i], frame->position + 3 * i, 3 * sizeof(float));
         if (setup->solid) {
             memcpy(&s->packed[i][3], frame->color + 4 * i, 4);
         } else {
-            t = render_place(setup->range, frame->value[i]);
+            t = scale_place(scale, frame->value[i]);
             memcpy(&s->packed[i][3], &t, sizeof t);
         }
     }

@@ -9,6 +9,7 @@
 
 #define PARTICLES_MAX 4294967294.0 /* 2^32 - 2: ids are 32 bits, and the last one means none */
 #define WORK_BYTES 52              /* a particle: sort 24, coordinates 12, rows 8, cells up to 8 */
+#define CURL_BYTES 80              /* a particle in the copy: two of position and motion, id, rows */
 #define START_BYTES (sizeof(double[3]) + sizeof(int))
 #define SNAPSHOT_BYTES 20          /* a particle in a frame that waits: position, value, colour */
 
@@ -18,6 +19,8 @@ static double fluid_bytes(const struct plan *plan)
     const struct solver_choice *c = &plan->choice;
     double bytes = (double)plan->bytes_per_particle + START_BYTES + WORK_BYTES +
                    solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
+    if (plan->frame_pass) /* a sorted copy with rows of its own (backend/cpu/curl.c) */
+        bytes += CURL_BYTES + 4 * kernel_lattice_neighbours(c->support / c->spacing);
     return bytes + (plan->draws ? FILM_SNAPSHOTS * SNAPSHOT_BYTES : 0);
 }
 

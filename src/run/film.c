@@ -112,6 +112,7 @@ static enum status draw_snapshot(struct film *film, struct renderer *renderer,
         .position = snapshot->position,
         .value = snapshot->value,
         .color = snapshot->color,
+        .scale = &snapshot->scale,
     };
     picture->index = snapshot->index;
     picture->time = snapshot->time;
@@ -358,6 +359,8 @@ enum status film_snapshot_create(struct film *film, size_t count, struct film_sn
         return e->status;
     }
     snapshot->count = count;
+    if (film->pixels)
+        snapshot->scale = film->setup.render->scale;
     *made = snapshot;
     return STATUS_OK;
 }

@@ -38,6 +38,7 @@ struct film_snapshot {
     float *position;           /* count * 3, m, relative to domain.min; NULL without pixels */
     float *value;              /* count; NULL when render->solid or without pixels */
     uint8_t *color;            /* count * 4 RGBA when render->solid, else NULL */
+    struct color_scale scale;  /* of the values; the film's unless changed */
     uint64_t state_hash;
     size_t capacity;           /* particles that the arrays have room for */
 };

@@ -1,6 +1,8 @@
 /* Copies what is drawn of the present state into a snapshot. */
 #include "run/frame.h"
 
+#include "run/step.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -48,11 +50,75 @@ static void hide(float position[3])
     position[0] = position[1] = position[2] = NAN;
 }
 
-void frame_fill(struct simulation *s, struct film_snapshot *snapshot)
+/* Order of floats as integers; what is not a number is 0. */
+static uint32_t rank_of(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return value != value ? 0 : bits >> 31 ? ~bits : bits | 0x80000000u;
+}
+
+static float value_of(uint32_t rank)
+{
+    uint32_t bits = rank >> 31 ? rank & 0x7fffffffu : ~rank;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* The value that `percent` of all do not exceed, found bit by bit from the top. */
+static double percentile(const float *values, size_t count, double percent)
+{
+    size_t wanted = (size_t)ceil(percent / 100 * (double)count);
+    uint32_t rank = 0;
+    wanted = wanted < 1 ? 1 : wanted;
+    for (int shift = 24; shift >= 0; shift -= 8) {
+        size_t histogram[256] = {0};
+        uint32_t part = 0;
+        for (size_t i = 0; i < count; i++) {
+            uint32_t own = rank_of(values[i]);
+            if (shift == 24 || own >> (shift + 8) == rank >> (shift + 8))
+                histogram[own >> shift & 255]++;
+        }
+        while (part < 255 && wanted > histogram[part])
+            wanted -= histogram[part++];
+        rank |= part << shift;
+    }
+    return (double)value_of(rank);
+}
+
+/* The ends of the map for one frame; a log scale stays above 0, a symmetric one about it. A frame of one
+ * value keeps the film's range. */
+static void range_by_frame(const struct plan *plan, const float *values, size_t count,
+                           struct color_scale *scale)
+{
+    const double *percent = plan->scene->color.percentiles;
+    double low, high;
+    if (count == 0)
+        return;
+    low = percentile(values, count, percent[0]);
+    high = percentile(values, count, percent[1]);
+    if (plan->symmetric) {
+        high = fmax(fabs(low), fabs(high));
+        low = -high;
+    }
+    if (scale->log)
+        low = fmax(low, DECADES_MIN * high);
+    if (high > low && isfinite(high - low)) {
+        scale->range[0] = low;
+        scale->range[1] = high;
+    }
+}
+
+enum status frame_fill(struct simulation *s, struct film_snapshot *snapshot, struct error *e)
 {
     const struct plan *plan = s->plan;
+    struct step step = {.list_radius = plan->choice.support};
+    if (plan->frame_pass && step_pass(s, plan->frame_pass->id, &step, e))
+        return e->status;
     const struct particles *p = s->row->state(s->backend), *walls = s->row->walls(s->backend);
     const struct color_row *color = plan->color;
+    const struct color_source source = {p, &plan->bodies, plan->choice.each.rest_density};
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < p->count; i++) {
         size_t id = particles_id(p)[i];
@@ -60,7 +126,7 @@ void frame_fill(struct simulation *s, struct film_snapshot *snapshot)
         if (color->solid)
             paint(&plan->scene->fluids[particles_fluid(p, i)], snapshot->color + 4 * id);
         else
-            snapshot->value[id] = color->value(p, i);
+            snapshot->value[id] = color->value(&source, i);
         if (!is_shown(plan->scene, particles_fluid(p, i), snapshot->position + 3 * id,
                       color->solid ? NAN : snapshot->value[id]))
             hide(snapshot->position + 3 * id);
@@ -71,8 +137,11 @@ void frame_fill(struct simulation *s, struct film_snapshot *snapshot)
         if (color->solid)
             memset(snapshot->color + 4 * id, 160, 4);
         else
-            snapshot->value[id] = (float)plan->color_range[0];
+            snapshot->value[id] = (float)plan->scale.range[0];
         if (!is_shown(plan->scene, -1, snapshot->position + 3 * id, NAN))
             hide(snapshot->position + 3 * id);
     }
+    if (snapshot->value && !isnan(plan->scene->color.percentiles[0]))
+        range_by_frame(plan, snapshot->value, p->count, &snapshot->scale);
+    return STATUS_OK;
 }

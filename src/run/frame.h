@@ -8,7 +8,8 @@
 /* Particles a snapshot of this plan holds. */
 size_t frame_count(const struct plan *plan);
 
-/* Fills positions and colours in ascending id; wall particles follow when they are drawn. */
-void frame_fill(struct simulation *s, struct film_snapshot *snapshot);
+/* Fills positions and colours in ascending id; wall particles follow when they are drawn. STATUS_RUN
+ * when the colour's pass has no memory. */
+enum status frame_fill(struct simulation *s, struct film_snapshot *snapshot, struct error *e);
 
 #endif

@@ -4,11 +4,12 @@
 #include "particles/start.h"
 #include "run/budget.h"
 #include "run/film.h"
+#include "run/plan_color.h"
 
 #include <math.h>
 #include <string.h>
 
-static void omit(struct plan *plan, const char *what_and_why)
+void plan_omit(struct plan *plan, const char *what_and_why)
 {
     if (plan->omitted_count < sizeof plan->omitted / sizeof *plan->omitted)
         plan->omitted[plan->omitted_count++] = what_and_why;
@@ -24,26 +25,26 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
     switch (id) {
     case PASS_DENSITY:
         if (c->continuity)
-            omit(plan, "pass density: density follows from the continuity equation in force");
+            plan_omit(plan, "pass density: density follows from the continuity equation in force");
         return !c->continuity;
     case PASS_PRESSURE:
         if (c->continuity)
-            omit(plan, "pass pressure: predict evaluates the equation of state");
+            plan_omit(plan, "pass pressure: predict evaluates the equation of state");
         return !c->continuity;
     case PASS_FORCE:
         if (c->is_implicit && !applied)
-            omit(plan, viscous ? "pass force: viscosity and pressure are solved for"
+            plan_omit(plan, viscous ? "pass force: viscosity and pressure are solved for"
                                : "pass force: no viscosity, and pressure is solved for");
         return !c->is_implicit || applied;
     case PASS_GRADIENT:
         if (c->flags & PAIR_DIFFUSION)
-            omit(plan, "passes gradient, diffusion: force adds Fourtakas's form of diffusion");
+            plan_omit(plan, "passes gradient, diffusion: force adds Fourtakas's form of diffusion");
         return c->gradients;
     case PASS_DIFFUSION:
         return c->gradients;
     case PASS_NORMALS:
         if (!c->tension.any)
-            omit(plan, "passes of surface tension: every fluid has surface tension 0");
+            plan_omit(plan, "passes of surface tension: every fluid has surface tension 0");
         return c->tension.any;
     case PASS_TENSION:
     case PASS_CURVATURE:
@@ -51,26 +52,26 @@ static bool pass_wanted(struct plan *plan, enum pass_id id)
         return c->tension.any;
     case PASS_EXTERNAL:
         if (!c->external.any && !(c->tension.any && c->starts_rate))
-            omit(plan, "pass external: no central force, buoyancy between fluids or dissipation");
+            plan_omit(plan, "pass external: no central force, buoyancy between fluids or dissipation");
         return c->external.any || (c->tension.any && c->starts_rate);
     case PASS_WALLS:
         if (!c->wall_planes)
-            omit(plan, "pass walls: no closed face");
+            plan_omit(plan, "pass walls: no closed face");
         else if (!drags)
-            omit(plan, c->implicit_viscosity
+            plan_omit(plan, c->implicit_viscosity
                            ? "pass walls: they drag and push by the solves"
                            : "pass walls: they do not drag, and push by the pressure solve");
         return c->wall_planes && drags;
     case PASS_SHIFT:
         if (!c->shifting)
-            omit(plan, strcmp(scene_text(plan->scene, "solver.shifting"), "off") == 0
+            plan_omit(plan, strcmp(scene_text(plan->scene, "solver.shifting"), "off") == 0
                            ? "pass shift: not asked for"
                            : "pass shift: not one fluid that fills a domain without walls, with "
                              "density by continuity and average pressure");
         return c->shifting;
     case PASS_DRAG_BEGIN:
         if (viscous && !c->implicit_viscosity)
-            omit(plan, "passes of implicit viscosity: it is explicit");
+            plan_omit(plan, "passes of implicit viscosity: it is explicit");
         return c->implicit_viscosity;
     case PASS_DRAG_DIAGONAL:
     case PASS_DRAG_RESIDUAL:
@@ -104,19 +105,21 @@ static void plan_fields(struct plan *plan)
                   (plan->passes[k]->kind == PASS_ORDER ? 0 : plan->passes[k]->writes);
     if (plan->color)
         fields |= plan->color->reads;
+    if (plan->frame_pass)
+        fields |= plan->frame_pass->reads | plan->frame_pass->writes;
     fields |= plan->measures.reads;
     if (plan->scene->fluid_count > 1)
         fields |= FIELD_BIT(FIELD_FLUID);
     else
-        omit(plan, "field fluid: one fluid");
+        plan_omit(plan, "field fluid: one fluid");
     if (plan->choice.implicit_viscosity && plan->choice.flags & PAIR_CENTRAL)
         fields |= FIELD_BIT(FIELD_BLOCK);
     if (plan->choice.implicit_viscosity)
-        omit(plan, "field viscosity: search holds it");
+        plan_omit(plan, "field viscosity: search holds it");
     else if (plan->choice.flags & PAIR_OWN_VISCOSITY)
         fields |= FIELD_BIT(FIELD_VISCOSITY);
     else
-        omit(plan, "field viscosity: all fluids have the same");
+        plan_omit(plan, "field viscosity: all fluids have the same");
     plan->fields = fields;
     for (int f = 0; f < FIELD_COUNT; f++)
         if (fields & FIELD_BIT(f))
@@ -143,35 +146,13 @@ static void omit_terms(struct plan *plan)
 {
     unsigned flags = plan->choice.flags;
     if (!(flags & (PAIR_VISCOUS | PAIR_OWN_VISCOSITY)))
-        omit(plan, "term viscosity: every fluid has viscosity 0");
+        plan_omit(plan, "term viscosity: every fluid has viscosity 0");
     if (!(flags & PAIR_ARTIFICIAL))
-        omit(plan, "term artificial viscosity: not asked for");
+        plan_omit(plan, "term artificial viscosity: not asked for");
     if (!(flags & PAIR_DIFFUSION) && !plan->choice.gradients)
-        omit(plan, "term density diffusion: not asked for, or density by summation");
+        plan_omit(plan, "term density diffusion: not asked for, or density by summation");
     if (!plan->choice.wall_particles)
-        omit(plan, "wall particles: no face is made of particles");
-}
-
-static void plan_color(struct plan *plan, const struct run_options *options)
-{
-    const struct scene *scene = plan->scene;
-    plan->draws = film_wants_pixels(options->outputs, options->output_count);
-    if (!plan->draws) {
-        omit(plan, "drawing: no output wants pixels; no GL context is opened");
-        return;
-    }
-    plan->color = (const struct color_row *)variant_find(&color_table, scene->color.by);
-    memcpy(plan->color_range, scene->color.range, sizeof plan->color_range);
-    if (!isnan(plan->color_range[0]) || plan->color->solid)
-        return;
-    struct color_expectation expect = {.fastest = plan->choice.fastest,
-                                       .depth = plan->choice.depth};
-    for (int a = 0; a < 3; a++)
-        expect.gravity += scene->gravity[a] * scene->gravity[a];
-    expect.gravity = sqrt(expect.gravity);
-    for (size_t f = 0; f < scene->fluid_count; f++)
-        expect.density = fmax(expect.density, scene->fluids[f].density);
-    plan->color->range(&expect, plan->color_range);
+        plan_omit(plan, "wall particles: no face is made of particles");
 }
 
 static enum status plan_measures(struct plan *plan, const struct run_options *options,
@@ -179,7 +160,7 @@ static enum status plan_measures(struct plan *plan, const struct run_options *op
 {
     if (film_wants_rows(options->outputs, options->output_count))
         return measures_create(&plan->measures, plan->scene, plan->bodies.count, e);
-    omit(plan, plan->scene->measure_count ? "measures of the scene: no output is a csv file"
+    plan_omit(plan, plan->scene->measure_count ? "measures of the scene: no output is a csv file"
                                           : "measures: no output is a csv file");
     return STATUS_OK;
 }
@@ -233,7 +214,8 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     if (check_choice(plan, &trial.choice, e))
         return e->status;
     plan_passes(&trial);
-    plan_color(&trial, options);
+    if (plan_color(&trial, options, e))
+        return e->status;
     plan_fields(&trial);
     return budget_check(&trial, e);
 }
@@ -305,8 +287,7 @@ enum status plan_make(struct plan *plan, const struct scene *scene,
     }
     plan_passes(plan);
     omit_terms(plan);
-    plan_color(plan, options);
-    if (!plan_measures(plan, options, e)) {
+    if (!plan_color(plan, options, e) && !plan_measures(plan, options, e)) {
         plan_fields(plan);
         check_reads(plan, e);
     }

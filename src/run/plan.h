@@ -5,8 +5,13 @@
 #include "backend/backend.h"
 #include "particles/fill.h"
 #include "render/color.h"
+#include "render/maps.h"
+#include "render/scale.h"
 #include "run/measure.h"
 #include "run/run.h"
+
+/* A log scale whose range does not say where it begins does so at this part of its end. */
+#define DECADES_MIN 1e-3
 
 struct plan {
     const struct scene *scene;
@@ -15,7 +20,10 @@ struct plan {
     const struct backend_row *backend;
     const struct color_row *color; /* NULL when no output wants pixels */
     bool draws;
-    double color_range[2];
+    struct color_scale scale;      /* of the colour's values */
+    bool symmetric;                /* about zero */
+    uint8_t palette[MAP_SIZE][3];
+    const struct pass_row *frame_pass; /* that the colour needs before each frame; NULL: none */
     struct space space;
     struct solver_choice choice;
     struct fill bodies, walls;     /* start points */
@@ -27,6 +35,9 @@ struct plan {
     const char *omitted[32];       /* "what: why" */
     size_t omitted_count;
 };
+
+/* Notes what is left out, and why. */
+void plan_omit(struct plan *plan, const char *what_and_why);
 
 /* Whether the scene can be planned on this machine, without making a particle. */
 enum status plan_check(const struct scene *scene, const struct run_options *options,

@@ -1,6 +1,8 @@
 /* Writes the plan in words. */
 #include "run/plan.h"
 
+#include "run/plan_color.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -120,6 +122,15 @@ static void write_measures(const struct measures *measures, FILE *out)
     }
 }
 
+static void write_pass(const struct pass_row *pass, size_t number, FILE *out)
+{
+    fprintf(out, "  %zu %-11s %-6s %s; reads ", number, pass->name, kinds[pass->kind], pass->doc);
+    write_fields(pass->reads, out);
+    fputs(", writes ", out);
+    write_fields(pass->writes, out);
+    fputs("\n", out);
+}
+
 void plan_write(const struct plan *plan, FILE *out)
 {
     const struct solver_choice *c = &plan->choice;
@@ -136,12 +147,8 @@ void plan_write(const struct plan *plan, FILE *out)
         (c->is_implicit ? write_solves : write_limits)(c, out);
     write_terms(c, out);
     fprintf(out, "neighbours     %s\n", plan->search->variant.name);
-    if (plan->draws && plan->color->solid)
-        fprintf(out, "colour         the fluids' own\n");
-    else if (plan->draws)
-        fprintf(out, "colour         %s, %.4g to %.4g %s (%s)\n", plan->color->label,
-                plan->color_range[0], plan->color_range[1], plan->color->unit,
-                isnan(plan->scene->color.range[0]) ? plan->color->estimate : "as the scene says");
+    if (plan->draws)
+        plan_color_write(plan, out);
     fprintf(out, "memory         %zu bytes a particle:", plan->bytes_per_particle);
     for (int f = 0; f < FIELD_COUNT; f++)
         if (plan->fields & FIELD_BIT(f))
@@ -149,14 +156,11 @@ void plan_write(const struct plan *plan, FILE *out)
                     field_bytes(&field_table[f]));
     fprintf(out, "; and %d bytes a neighbour\n\npasses of a step\n",
             solver_row_bytes(c));
-    for (size_t k = 0; k < plan->pass_count; k++) {
-        const struct pass_row *pass = plan->passes[k];
-        fprintf(out, "  %zu %-11s %-6s %s; reads ", k + 1, pass->name, kinds[pass->kind],
-                pass->doc);
-        write_fields(pass->reads, out);
-        fputs(", writes ", out);
-        write_fields(pass->writes, out);
-        fputs("\n", out);
+    for (size_t k = 0; k < plan->pass_count; k++)
+        write_pass(plan->passes[k], k + 1, out);
+    if (plan->frame_pass) {
+        fprintf(out, "\nbefore each frame\n");
+        write_pass(plan->frame_pass, 1, out);
     }
     write_measures(&plan->measures, out);
     fprintf(out, "\nleft out\n");

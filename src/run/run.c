@@ -93,8 +93,10 @@ static enum status emit(struct session *x, long index, struct error *e)
     snapshot->state_hash = particles_hash(s->row->state(s->backend));
     x->report.frames[x->report.frame_count++] =
         (struct report_frame){index, s->time, snapshot->state_hash};
-    if (snapshot->position)
-        frame_fill(s, snapshot);
+    if (snapshot->position && frame_fill(s, snapshot, e)) {
+        film_snapshot_free(x->film, snapshot);
+        return e->status;
+    }
     return film_frame(x->film, snapshot, e);
 }
 
@@ -145,13 +147,16 @@ static enum status film_start(struct session *x, const struct run_options *optio
         .radius = scene->render.radius * scene->particles.spacing,
     };
     if (plan->draws) {
-        memcpy(render.range, plan->color_range, sizeof render.range);
+        render.scale = plan->scale;
+        memcpy(render.palette, plan->palette, sizeof render.palette);
         render.label = plan->color->label;
         render.unit = plan->color->unit;
+        render.name = plan->color->name;
         render.solid = plan->color->solid;
-        if (isnan(scene->color.range[0]) && !render.solid)
-            log_info("colour range %.4g to %.4g %s: %s", render.range[0], render.range[1],
-                     render.unit, plan->color->estimate);
+        if (isnan(scene->color.range[0]) && isnan(scene->color.percentiles[0]) && !render.solid &&
+            !render.scale.counts)
+            log_info("colour range %.4g to %.4g %s: %s", render.scale.range[0],
+                     render.scale.range[1], render.unit, plan->color->estimate);
     }
     static struct render_setup kept; /* the film keeps a pointer to it */
     kept = render;

@@ -153,13 +153,36 @@ static enum status check_camera(struct load *load)
     return STATUS_OK;
 }
 
+static enum status check_map(struct load *load)
+{
+    const struct scene *s = load->scene;
+    if (s->color.steps == 1)
+        return load_fail(load, load_place(load, "color.steps"), "color.steps: one colour shows "
+                         "nothing; give 2 to 256, or 0 for a continuous scale");
+    if (s->color.map_file[0] && strcmp(s->color.map, "auto") != 0)
+        return load_fail(load, load_place(load, "color.map_file"), "color.map_file and color.map "
+                         "are both given; remove one");
+    return STATUS_OK;
+}
+
 static enum status check_color(struct load *load)
 {
-    const double *range = load->scene->color.range;
+    const struct scene *s = load->scene;
+    const double *range = s->color.range, *percentiles = s->color.percentiles;
     if (!isnan(range[0]) && range[0] >= range[1])
         return load_fail(load, load_place(load, "color.range"), "color.range: the second value "
                          "must be above the first");
-    return STATUS_OK;
+    if (s->color.scale == SPREAD_LOG && range[0] <= 0)
+        return load_fail(load, load_place(load, "color.range"), "color.range: a log scale begins "
+                         "above 0, not at %g; raise the first value, or make color.scale linear",
+                         range[0]);
+    if (percentiles[0] >= percentiles[1])
+        return load_fail(load, load_place(load, "color.percentiles"), "color.percentiles: the "
+                         "second value must be above the first");
+    if (!isnan(percentiles[0]) && !isnan(range[0]))
+        return load_fail(load, load_place(load, "color.percentiles"), "color.percentiles and "
+                         "color.range are both given; remove one");
+    return check_map(load);
 }
 
 static enum status check_amount(struct load *load)

@@ -8,6 +8,8 @@
 #define FLUID(member) offsetof(struct scene_fluid, member)
 #define BODY(member) offsetof(struct scene_body, member)
 #define MEASURE(member) offsetof(struct scene_measure, member)
+#define LABEL(member) offsetof(struct scene_label, member)
+#define LABEL_PLACES "top-left|top|top-right|bottom-left|bottom|bottom-right"
 #define ANY 0, 0           /* no range */
 #define FROM(low) low, INFINITY
 #define WALLS "closed|particles|periodic"
@@ -22,7 +24,8 @@
 /* An enum is stored through an int. */
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
                sizeof(enum body_fill) == sizeof(int) &&
-               sizeof(enum body_start) == sizeof(int), "enums are ints");
+               sizeof(enum body_start) == sizeof(int) && sizeof(enum color_spread) == sizeof(int) &&
+               sizeof(enum label_place) == sizeof(int), "enums are ints");
 
 const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
 
@@ -111,6 +114,12 @@ const struct key scene_core_keys[] = {
     {"measure[].name", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
      "begins the names of its columns, each its own; empty: the quantity", MEASURE(name)},
 
+    {"labels[].text", KEY_TEXT, 0, NULL, ANY, "", NULL, "written over every frame", LABEL(text)},
+    {"labels[].at", KEY_ENUM, 0, "\"top-right\"", ANY, "", LABEL_PLACES,
+     "its place; labels that meet stack up", LABEL(at)},
+    {"labels[].size", KEY_REAL, KEY_ABOVE_MIN, "1", 0, 10, "", NULL,
+     "times the height of other text", LABEL(size)},
+
     {"solver.method", KEY_CHOICE, 0, "\"isph\"", ANY, "", "solvers",
      "pressure solver", IN(solver.method)},
     {"solver.kernel", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "kernels",
@@ -152,10 +161,24 @@ const struct key scene_core_keys[] = {
      "scene time of a turn about up; 0: still", IN(camera.orbit_period)},
 
     {"color.by", KEY_CHOICE, 0, "\"velocity\"", ANY, "", "colors", "quantity shown", IN(color.by)},
-    {"color.map", KEY_CHOICE, 0, "\"viridis\"", ANY, "", "maps", "colour map", IN(color.map)},
+    {"color.map", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "maps",
+     "colour map; auto: viridis, or coolwarm where the scale is symmetric", IN(color.map)},
+    {"color.map_file", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
+     "own colour map instead, beside the scene file: 2 to 256 lines of red green blue, 0 to 1 or 0 "
+     "to 255, or #rrggbb, from low to high", IN(color.map_file)},
+    {"color.reverse", KEY_BOOL, 0, "false", ANY, "", NULL, "the map from high to low",
+     IN(color.reverse)},
+    {"color.scale", KEY_ENUM, 0, "\"auto\"", ANY, "", "auto|linear|log|symmetric",
+     "how values spread over the map; symmetric: linear, zero in the middle; auto: symmetric where "
+     "color.by has a sign, else linear", IN(color.scale)},
+    {"color.steps", KEY_INT, 0, "0", 0, 256, "", NULL,
+     "equal parts of the scale, a colour each; 0: continuous", IN(color.steps)},
     {"color.range", KEY_PAIR, KEY_AUTO, "\"auto\"", ANY, "of color.by", NULL,
      "values at the ends of the map, for the whole film; auto: a physical estimate",
      IN(color.range)},
+    {"color.percentiles", KEY_PAIR, KEY_AUTO, "\"auto\"", 0, 100, "%", NULL,
+     "of each frame's particles, at the ends of the map: the range changes from frame to frame; "
+     "auto: one range for the whole film", IN(color.percentiles)},
     {"color.legend", KEY_BOOL, 0, "true", ANY, "", NULL, "colour bar with label and unit",
      IN(color.legend)},
 
@@ -182,6 +205,10 @@ const struct key scene_core_keys[] = {
     {"render.box", KEY_BOOL, 0, "true", ANY, "", NULL, "edges of the domain", IN(render.box)},
     {"render.time", KEY_BOOL, 0, "true", ANY, "", NULL, "time stamp", IN(render.time)},
     {"render.title", KEY_BOOL, 0, "true", ANY, "", NULL, "title", IN(render.title)},
+    {"render.scale_bar", KEY_BOOL, 0, "false", ANY, "", NULL,
+     "a length, true at the distance of the camera's target", IN(render.scale_bar)},
+    {"render.axes", KEY_BOOL, 0, "false", ANY, "", NULL, "directions of x, y and z",
+     IN(render.axes)},
     {"render.boundary", KEY_BOOL, 0, "false", ANY, "", NULL, "boundary particles too",
      IN(render.boundary)},
 };
@@ -191,6 +218,7 @@ const struct key_array scene_arrays[ARRAY_COUNT] = {
     {"fluids", "fluids[].", IN(fluids), IN(fluid_count), sizeof(struct scene_fluid)},
     {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body)},
     {"measure", "measure[].", IN(measures), IN(measure_count), sizeof(struct scene_measure)},
+    {"labels", "labels[].", IN(labels), IN(label_count), sizeof(struct scene_label)},
 };
 
 enum { BOX = 1 << BODY_BOX, SPHERE = 1 << BODY_SPHERE, CYLINDER = 1 << BODY_CYLINDER };

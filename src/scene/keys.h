@@ -18,7 +18,7 @@ struct key_array {
     size_t items, count; /* offsets of the pointer and of the size_t */
     size_t size;        /* bytes of one element */
 };
-enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_MEASURE, ARRAY_COUNT };
+enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_MEASURE, ARRAY_LABELS, ARRAY_COUNT };
 extern const struct key_array scene_arrays[ARRAY_COUNT];
 
 /* Whether a body of this shape reads the key; keys that no shape owns are read by all. */

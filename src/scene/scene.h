@@ -24,6 +24,12 @@ enum body_shape { BODY_BOX, BODY_SPHERE, BODY_CYLINDER };
 enum body_fill { FILL_GRID, FILL_RANDOM };
 enum body_start { START_AUTO, START_REST, START_HYDROSTATIC }; /* pressure at the start */
 
+enum color_spread { SPREAD_AUTO, SPREAD_LINEAR, SPREAD_LOG, SPREAD_SYMMETRIC };
+
+enum label_place {
+    LABEL_TOP_LEFT, LABEL_TOP, LABEL_TOP_RIGHT, LABEL_BOTTOM_LEFT, LABEL_BOTTOM, LABEL_BOTTOM_RIGHT
+};
+
 struct scene_fluid {
     char name[KEY_TEXT_SIZE];
     double density;        /* rest density, kg/m^3 */
@@ -68,6 +74,12 @@ struct scene_measure {
     double decay;                 /* 1/s */
 };
 
+struct scene_label { /* text over every frame */
+    char text[KEY_TEXT_SIZE];
+    enum label_place at;
+    double size;           /* times the height of other text */
+};
+
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
     int line, column;      /* of its value in the file; 0: not said there */
@@ -104,6 +116,8 @@ struct scene {
     size_t body_count;     /* may be 0 */
     struct scene_measure *measures;
     size_t measure_count;  /* may be 0 */
+    struct scene_label *labels;
+    size_t label_count;    /* may be 0 */
 
     struct {
         char method[KEY_TEXT_SIZE];   /* table "solvers" */
@@ -136,8 +150,13 @@ struct scene {
 
     struct {
         char by[KEY_TEXT_SIZE];  /* table "colors" */
-        char map[KEY_TEXT_SIZE]; /* table "maps" */
+        char map[KEY_TEXT_SIZE]; /* table "maps"; "auto" */
+        char map_file[KEY_TEXT_SIZE]; /* instead of map, beside the scene file; "": none */
+        bool reverse;            /* the map from high to low */
+        enum color_spread scale;
+        int64_t steps;           /* colours; 0: continuous */
         double range[2];         /* NAN: physical estimate; pinned for the film */
+        double percentiles[2];   /* of each frame, at the ends of the map; NAN: one range */
         bool legend;             /* colour bar with label and unit */
     } color;
 
@@ -152,6 +171,7 @@ struct scene {
         double show_range[2]; /* of the colour's quantity; NAN: all */
         double radius;        /* drawn radius / spacing */
         bool box, time, title;/* wireframe, time stamp, title */
+        bool scale_bar, axes;
         bool boundary;        /* draw static boundary particles */
     } render;
 

@@ -24,6 +24,7 @@ enum {
     DIRECTION = FIELD_BIT(FIELD_DIRECTION),
     PRODUCT = FIELD_BIT(FIELD_PRODUCT),
     GRADIENT = FIELD_BIT(FIELD_GRADIENT),
+    VORTICITY = FIELD_BIT(FIELD_VORTICITY),
 };
 
 const struct pass_row pass_table[PASS_COUNT] = {
@@ -117,4 +118,6 @@ const struct pass_row pass_table[PASS_COUNT] = {
                      POSITION | MOTION | RATE | TRIAL | STENCIL, MOTION | RATE | STENCIL},
     [PASS_DRIFT] = {PASS_DRIFT, PASS_EACH, "drift", "drift and shift, bounce; extremes",
                     POSITION | MOTION | RATE | STENCIL, POSITION | MOTION},
+    [PASS_CURL] = {PASS_CURL, PASS_PAIR, "curl", "vorticity, by neighbour rows of its own",
+                   POSITION | MOTION | ID, VORTICITY},
 };

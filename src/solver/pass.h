@@ -55,6 +55,7 @@ enum pass_id {
     PASS_DESCENT,
     PASS_SLOPES,
     PASS_DRIFT,
+    PASS_CURL, /* before a frame, not in a step */
     PASS_COUNT
 };
 

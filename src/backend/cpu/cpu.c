@@ -65,7 +65,7 @@ static enum status allocate(struct backend *b, struct error *e)
     return STATUS_OK;
 }
 
-static struct row_build row_build(const struct backend *b, double radius)
+struct row_build cpu_row_build(const struct backend *b, double radius)
 {
     double reach = radius / b->choice.smoothing_length;
     struct row_build work = {
@@ -89,7 +89,7 @@ static enum status weigh_walls(struct backend *b, struct error *e)
 {
     double reach = b->choice.support * (1 + SKIN_MAX);
     struct rows rows = {0};
-    struct row_build work = row_build(b, b->choice.support);
+    struct row_build work = cpu_row_build(b, b->choice.support);
     struct position *wall;
     float *number = memory_create("kernel sums", b->wall.count + PARTICLE_BLOCK, sizeof *number, e);
     if (!number || cpu_sort(b, &b->wall, &b->wall_cells, b->wall_axis, reach, e) ||
@@ -190,7 +190,7 @@ failed:
 
 static enum status build_neighbours(struct backend *b, double radius, struct error *e)
 {
-    struct row_build work = row_build(b, radius);
+    struct row_build work = cpu_row_build(b, radius);
     float near = (float)(PART_NEAR * b->choice.spacing / b->choice.smoothing_length);
     work.coincident = near * near;
     if (rows_build(&b->rows, &work, b->isa, true, e))
@@ -272,6 +272,7 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
         cpu_projection(b, step, PAIR_PASS_SLOPES);
         break;
     case PASS_DRIFT: cpu_drift(b, step); break;
+    case PASS_CURL: cpu_curl(b, step->list_radius, e); break;
     case PASS_SOLVE_VELOCITY:
     case PASS_SOLVE_SHIFT:
     case PASS_SOLVE_VISCOSITY:

@@ -38,6 +38,12 @@ struct backend {
 enum status cpu_sort(struct backend *b, struct particles *p, struct cells *cells,
                      uint32_t *const axis[3], double radius, struct error *e);
 
+/* What a build of the particles' rows reads; `radius` in m. */
+struct row_build cpu_row_build(const struct backend *b, double radius);
+
+/* Vorticity of the present state, from neighbours within `radius` (m); leaves the rest as it is. */
+enum status cpu_curl(struct backend *b, double radius, struct error *e);
+
 /* Moves particles apart whose distance squared is below `near`, in smoothing lengths, by their rows. */
 void cpu_part(struct backend *b, float near);
 

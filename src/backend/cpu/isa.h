@@ -117,6 +117,7 @@ struct pair_work {
     const uint8_t *fluid;      /* or NULL */
     const struct shift *shift; /* of the last step; NULL: no shifting */
     struct rate *rate;         /* written by the force pass */
+    float *vorticity;          /* written by the curl pass, 1/s */
     float *number;             /* written by the density pass: sum w, to be scaled */
     const struct row_block *rows;
     const uint32_t *row_count; /* neighbours of each particle, padded to blocks */
@@ -152,7 +153,8 @@ enum pair_pass {
     PAIR_PASS_JUMP,    /* writes stencil->jump */
     PAIR_PASS_FLOW,    /* writes the rows of Poisson's equation and direction */
     PAIR_PASS_PRODUCT, /* writes projection->product */
-    PAIR_PASS_SLOPES   /* writes projection->motion, rate, stencil->crowd */
+    PAIR_PASS_SLOPES,  /* writes projection->motion, rate, stencil->crowd */
+    PAIR_PASS_CURL     /* writes vorticity */
 };
 
 struct isa_row {

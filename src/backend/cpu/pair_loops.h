@@ -269,6 +269,7 @@ static void density_muller(const struct pair_work *w, size_t first, size_t last)
 }
 
 #include "backend/cpu/diffusion_loops.h"
+#include "backend/cpu/curl_loops.h"
 #include "backend/cpu/solve_loops.h"
 #include "backend/cpu/drag_loops.h"
 #include "backend/cpu/shift_loops.h"
@@ -298,6 +299,7 @@ static pair_function *loops_find(enum pair_pass pass, unsigned flags, bool walls
     case PAIR_PASS_FLOW: return flow_blocks;
     case PAIR_PASS_PRODUCT: return product_blocks;
     case PAIR_PASS_SLOPES: return slopes_blocks;
+    case PAIR_PASS_CURL: return curl_blocks;
     case PAIR_PASS_FORCE: break;
     }
     return walls ? force_walls_table[flags] : force_table[flags];

@@ -1,9 +1,9 @@
 /* Colour by pressure. */
 #include "render/color.h"
 
-static float value(const struct particles *p, size_t i)
+static float value(const struct color_source *source, size_t i)
 {
-    return particles_motion(p)[i].pressure;
+    return particles_motion(source->particles)[i].pressure;
 }
 
 static void range(const struct color_expectation *expect, double out[2])

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-static float value(const struct particles *p, size_t i)
+static float value(const struct color_source *source, size_t i)
 {
-    const float *v = particles_motion(p)[i].velocity;
+    const float *v = particles_motion(source->particles)[i].velocity;
     return sqrtf(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 

@@ -1,0 +1,23 @@
+/* Colour by number of the particle. */
+#include "render/color.h"
+
+static float value(const struct color_source *source, size_t i)
+{
+    return (float)particles_id(source->particles)[i];
+}
+
+static void range(const struct color_expectation *expect, double out[2])
+{
+    out[0] = 0;
+    out[1] = expect->start->count > 1 ? (double)(expect->start->count - 1) : 1;
+}
+
+const struct color_row color_id = {
+    .variant = {.name = "id", .doc = "number of the particle, in order of filling"},
+    .label = "particle",
+    .unit = "",
+    .reads = FIELD_BIT(FIELD_ID),
+    .value = value,
+    .range = range,
+    .estimate = "all particles",
+};
