@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "base/output.h"
-#include "scene/json.h"
+#include "base/quote.h"
 
 #include <math.h>
 #include <omp.h>
