@@ -84,7 +84,10 @@ void output_release(struct output_claim *claim)
 
 enum status output_open(struct output_file *file, const char *path, struct error *e)
 {
-    *file = (struct output_file){NULL, strdup(path), NULL};
+    *file = (struct output_file){0};
+    if (output_check(path, e)) /* a rename would replace even a device */
+        return e->status;
+    file->path = strdup(path);
     if (asprintf(&file->part, "%s.part", path) < 0)
         file->part = NULL;
     if (!file->path || !file->part)

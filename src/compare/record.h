@@ -4,6 +4,8 @@
 
 #include "compare/verdict.h"
 
+#include <stdio.h>
+
 enum { SINKS_MAX = 5 };
 
 /* What was compared, and how; must outlive the record. */
@@ -11,6 +13,7 @@ struct comparison {
     const char *frames;           /* as named by the user */
     const char *const *baselines; /* the accepted versions */
     size_t baseline_count;
+    FILE *text;                   /* for sink_text */
     const char *gate;
     struct limits limits;
     bool single;                  /* one picture, not a set */
@@ -32,7 +35,7 @@ struct sink_row {
     enum status (*close)(struct sink *, const struct tally *, bool keep, struct error *);
 };
 
-extern const struct sink_row sink_text; /* to standard output; the path is not used */
+extern const struct sink_row sink_text; /* to comparison.text; the path is not used */
 extern const struct sink_row sink_json; /* "-" is standard output */
 extern const struct sink_row sink_page; /* HTML; a directory stands for its index.html */
 extern const struct sink_row sink_map, sink_side; /* PNG: the differences; both and those */

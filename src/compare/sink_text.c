@@ -41,7 +41,7 @@ static void print_broken(const struct sink *sink, const struct verdict *verdict)
 {
     for (size_t i = 0; i < metric_score_count(); i++)
         if (!metric_keeps(metric_score(i), verdict->values[i], sink->comparison->limits.value[i]))
-            printf("  %s %.6g", metric_score(i)->name, verdict->values[i]);
+            fprintf(sink->comparison->text, "  %s %.6g", metric_score(i)->name, verdict->values[i]);
 }
 
 static enum status text_frame(struct sink *sink, const struct verdict *verdict, struct error *e)
@@ -51,14 +51,14 @@ static enum status text_frame(struct sink *sink, const struct verdict *verdict, 
     note_worst(sink, verdict);
     if (verdict_passes(verdict->state))
         return STATUS_OK;
-    printf("%s: %s", verdict->name, verdict_word(verdict->state));
+    fprintf(sink->comparison->text, "%s: %s", verdict->name, verdict_word(verdict->state));
     if (verdict->state == VERDICT_SIZE)
-        printf(", %d x %d instead of %d x %d", a->width, a->height, b->width, b->height);
+        fprintf(sink->comparison->text, ", %d x %d instead of %d x %d", a->width, a->height, b->width, b->height);
     if (verdict->state == VERDICT_DIFFERENT)
         print_broken(sink, verdict);
     if (b && sink->comparison->baseline_count > 1)
-        printf("  from %s", sink->comparison->baselines[verdict->baseline]);
-    putchar('\n');
+        fprintf(sink->comparison->text, "  from %s", sink->comparison->baselines[verdict->baseline]);
+    putc('\n', sink->comparison->text);
     return STATUS_OK;
 }
 
@@ -69,12 +69,12 @@ static void print_worst(const struct sink *sink)
         const struct score *score = metric_score(i);
         if (isnan(value))
             continue;
-        printf("%-12s %-12.6g", score->name, value);
+        fprintf(sink->comparison->text, "%-12s %-12.6g", score->name, value);
         if (!isnan(limit))
-            printf(" %s %g", score->is_likeness ? "at least" : "at most", limit);
+            fprintf(sink->comparison->text, " %s %g", score->is_likeness ? "at least" : "at most", limit);
         if (!sink->comparison->single && value != score->equal)
-            printf("  (worst: %s)", sink->worst[i].frame);
-        putchar('\n');
+            fprintf(sink->comparison->text, "  (worst: %s)", sink->worst[i].frame);
+        putc('\n', sink->comparison->text);
     }
 }
 
@@ -85,16 +85,16 @@ static enum status text_close(struct sink *sink, const struct tally *tally, bool
     if (keep) {
         print_worst(sink);
         if (!sink->comparison->single)
-            printf("%zu frame%s", tally->frames, tally->frames == 1 ? "" : "s");
+            fprintf(sink->comparison->text, "%zu frame%s", tally->frames, tally->frames == 1 ? "" : "s");
         for (int s = 0; s < VERDICT_STATES && !sink->comparison->single; s++)
             if (tally->count[s])
-                printf(", %zu %s", tally->count[s], verdict_word(s));
+                fprintf(sink->comparison->text, ", %zu %s", tally->count[s], verdict_word(s));
         if (!sink->comparison->single)
-            putchar('\n');
-        puts(tally->failed ? "different" : "same");
+            putc('\n', sink->comparison->text);
+        fprintf(sink->comparison->text, "%s\n", tally->failed ? "different" : "same");
     }
     memory_free(sink);
-    return STATUS_OK; /* whoever owns standard output checks it */
+    return STATUS_OK; /* whoever owns the stream checks it */
 }
 
 const struct sink_row sink_text = {text_open, text_frame, text_close};

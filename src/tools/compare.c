@@ -2,8 +2,8 @@
 #include "tools/compare.h"
 
 #include "base/log.h"
+#include "compare/lineup.h"
 #include "compare/record.h"
-#include "compare/source.h"
 
 #include <argp.h>
 #include <errno.h>
@@ -13,13 +13,12 @@
 #include <string.h>
 
 enum { EXIT_SAME = 0, EXIT_DIFFERENT = 1, EXIT_ERROR = 2 };
-enum { SOURCES_MAX = 1 + BASELINES_MAX };
 
 enum { OPTION_GATE = 0x100, OPTION_MAX_CHANNEL, OPTION_JSON, OPTION_DIFF, OPTION_SIDE, OPTION_HTML,
        OPTION_HELP, OPTION_USAGE, OPTION_LIMIT /* and one more for each score */ };
 
 struct request {
-    const char *paths[SOURCES_MAX]; /* the frames, and their accepted versions */
+    const char *paths[LINEUP_MAX]; /* the frames, and their accepted versions */
     size_t path_count;
     const char *gate, *json, *diff, *side, *html;
     double levels, limits[SCORES_MAX]; /* that replace the gate's; NAN: none */
@@ -29,43 +28,21 @@ struct request {
 struct session {
     struct comparison comparison;
     struct record record;
-    enum source_order order;
-    struct source sources[SOURCES_MAX];
-    struct image images[SOURCES_MAX];
-    size_t count; /* of sources */
+    struct lineup lineup; /* the frames and their accepted versions */
 };
-
-/* Reads the frames that come next, NULL where a source lacks that one, and moves past them. */
-static enum status read_frames(struct session *x, const struct source *first,
-                               const struct image *frames[], struct error *e)
-{
-    bool has[SOURCES_MAX];
-    for (size_t i = 0; i < x->count; i++)
-        has[i] = source_compare(&x->sources[i], first, x->order) == 0;
-    for (size_t i = 0; i < x->count; i++) {
-        struct source *source = &x->sources[i];
-        frames[i] = has[i] ? &x->images[i] : NULL;
-        if (has[i] && (source->row->read(source, &x->images[i], e) || source->row->next(source, e)))
-            return e->status;
-    }
-    return STATUS_OK;
-}
 
 /* The sources go in step: each frame is compared as soon as it is read. */
 static enum status compare_frames(struct session *x, struct error *e)
 {
     for (;;) {
-        const struct image *frames[SOURCES_MAX];
+        const struct image *frames[LINEUP_MAX];
         struct verdict verdict;
-        struct source first = x->sources[0];
-        for (size_t i = 1; i < x->count; i++)
-            if (source_compare(&x->sources[i], &first, x->order) < 0)
-                first = x->sources[i];
+        const struct source first = *lineup_first(&x->lineup);
         if (first.ended)
             return STATUS_OK;
-        if (read_frames(x, &first, frames, e) ||
+        if (lineup_read(&x->lineup, &first, frames, e) ||
             verdict_make(&verdict, first.name, &x->comparison.limits, frames[0], frames + 1,
-                         x->count - 1, e) ||
+                         x->lineup.count - 1, e) ||
             record_frame(&x->record, &verdict, e))
             return e->status;
     }
@@ -73,17 +50,9 @@ static enum status compare_frames(struct session *x, struct error *e)
 
 static enum status open_sources(struct session *x, const struct request *request, struct error *e)
 {
-    enum source_kind kinds[SOURCES_MAX];
-    for (size_t i = 0; i < request->path_count; i++)
-        if (source_find(&kinds[i], request->paths[i], e))
-            return e->status;
-    if (source_order(&x->order, kinds, request->path_count, e))
+    if (lineup_open(&x->lineup, request->paths, request->path_count, e))
         return e->status;
-    x->comparison.single = x->order == SOURCE_ALONE;
-    for (; x->count < request->path_count; x->count++)
-        if (source_open(&x->sources[x->count], request->paths[x->count], kinds[x->count], x->order,
-                        e))
-            return e->status;
+    x->comparison.single = x->lineup.order == SOURCE_ALONE;
     return STATUS_OK;
 }
 
@@ -109,6 +78,7 @@ static enum status set_comparison(struct comparison *comparison, const struct re
     comparison->baselines = request->paths + 1;
     comparison->baseline_count = request->path_count - 1;
     comparison->gate = request->gate;
+    comparison->text = stdout;
     if (gate_limits(&comparison->limits, request->gate, e))
         return e->status;
     if (!isnan(request->levels))
@@ -121,8 +91,7 @@ static enum status set_comparison(struct comparison *comparison, const struct re
 
 static int compare(const struct request *request)
 {
-    static struct session blank;
-    struct session x = blank;
+    struct session x = {0};
     struct error e = {.status = STATUS_OK}, ignored;
     x.record.comparison = &x.comparison;
     if (set_comparison(&x.comparison, request, &e) == STATUS_OK &&
@@ -131,10 +100,7 @@ static int compare(const struct request *request)
     enum status status = e.status;
     if (record_close(&x.record, !status, status ? &ignored : &e))
         status = status ? status : e.status;
-    for (size_t i = 0; i < request->path_count; i++) {
-        source_close(&x.sources[i]);
-        image_free(&x.images[i]);
-    }
+    lineup_close(&x.lineup);
     if (status)
         log_error("compare: %s", e.text);
     return status ? EXIT_ERROR : x.record.tally.failed ? EXIT_DIFFERENT : EXIT_SAME;
@@ -155,7 +121,7 @@ static error_t number_read(const struct argp_state *state, const char *option, c
 
 static error_t path_read(const struct argp_state *state, struct request *request, char *text)
 {
-    if (request->path_count < SOURCES_MAX) {
+    if (request->path_count < LINEUP_MAX) {
         request->paths[request->path_count++] = text;
         return 0;
     }
