@@ -11,7 +11,7 @@ struct gate {
     struct {
         const char *score;
         double value;
-    } limits[3]; /* ended by a NULL score or the end of the array */
+    } limits[4]; /* ended by a NULL score or the end of the array */
 };
 
 static const struct gate same_stack = {
@@ -26,9 +26,11 @@ static const struct gate exact = {
 };
 
 static const struct gate cross_driver = {
-    .variant = {.name = "cross-driver", .doc = "mean FLIP at most 0.005, its 99th percentile 0.05, "
-                                               "SSIM of the worst tile at least 0.98: another driver"},
-    .limits = {{"flip", 0.005}, {"flip-p99", 0.05}, {"ssim-tile", 0.98}},
+    .variant = {.name = "cross-driver", .doc = "FLIP at most 0.005 on average, 0.05 on 99 and 0.15 "
+                                               "on 99.9 % of the pixels, SSIM of the worst tile at "
+                                               "least 0.98: another driver"},
+    /* The last of FLIP is for single particles that are missing in a dense fluid. */
+    .limits = {{"flip", 0.005}, {"flip-p99", 0.05}, {"flip-p999", 0.15}, {"ssim-tile", 0.98}},
 };
 
 static const struct variant *const variants[] = {

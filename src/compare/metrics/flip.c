@@ -1,4 +1,4 @@
-/* Metric "flip": LDR-FLIP, the difference seen when two pictures alternate, mean and 99th percentile.
+/* Metric "flip": LDR-FLIP, the difference seen when two pictures alternate, mean and percentiles.
  *
  * Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astrom, Fairchild 2020, "FLIP: A Difference
  * Evaluator for Alternating Images": colours blurred as the eye does at a distance, their HyAB
@@ -126,11 +126,11 @@ static void combine(float *map, const struct side *a, const struct side *b, size
     }
 }
 
-/* The value that 99 % of the pixels do not exceed: floats from 0 up have the order of their bits. */
-static double percentile_99(const float *map, size_t count)
+/* The value that `part` thousandths of the pixels do not exceed: floats from 0 up have the order of their bits. */
+static double percentile(const float *map, size_t count, size_t part)
 {
     static const uint32_t shift[2] = {16, 0};
-    size_t wanted = (count * 99 + 99) / 100;
+    size_t wanted = (count * part + 999) / 1000;
     uint32_t found = 0, bits;
     float value;
     for (int pass = 0; pass < 2; pass++) {
@@ -176,7 +176,8 @@ static enum status measure(const struct image *a, const struct image *b,
     }
     combine(work[0], &sides[0], &sides[1], metric_pixels(a));
     values[0] = mean(work[0], metric_pixels(a));
-    values[1] = percentile_99(work[0], metric_pixels(a));
+    values[1] = percentile(work[0], metric_pixels(a), 990);
+    values[2] = percentile(work[0], metric_pixels(a), 999);
 cleanup:
     for (int k = 0; k < 2 * SIDE_PLANES + WORK_PLANES; k++)
         memory_free(planes[k]);
@@ -187,12 +188,15 @@ static const struct score scores[] = {
     {.name = "flip", .option = "max-flip", .most = 1, .doc = "Largest mean FLIP of a frame"},
     {.name = "flip-p99", .option = "max-flip-p99", .most = 1,
      .doc = "Largest FLIP that 99 % of the pixels may have"},
+    {.name = "flip-p999", .option = "max-flip-p999", .most = 1,
+     .doc = "Largest FLIP that 99.9 % of the pixels may have"},
 };
 
 extern const struct metric metric_flip;
 const struct metric metric_flip = {
     .variant = {.name = "flip", .doc = "flip: difference seen by alternating pictures at 67 pixels a "
-                                       "degree (Andersson et al. 2020), mean; flip-p99: 99th percentile"},
+                                       "degree (Andersson et al. 2020), mean; flip-p99, flip-p999: what 99 and "
+                                       "99.9 % of the pixels do not exceed"},
     .scores = scores,
     .score_count = sizeof scores / sizeof *scores,
     .measure = measure,
