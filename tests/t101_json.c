@@ -1,4 +1,5 @@
 /* Tests JSON documents: strict grammar, places of faults, strings. */
+#include "base/quote.h"
 #include "scene/json.h"
 
 #include <setjmp.h>

@@ -50,6 +50,11 @@ run 0 "solver.method" list keys
 run 0 "additionalProperties" list keys --json-schema
 run 0 "wcsph" list solvers
 run 0 "sub-commands" list commands
+run 0 "flip-p99" list metrics
+run 0 "cross-driver" list gates
+run 2 "did you mean exact?" compare scenes scenes --gate exat
+run 2 "there are no PNG pictures" compare scenes scenes
+run 0 "--min-ssim-tile" compare --help
 run 0 "bodies[].shape" list
 run 2 "did you mean solvers" list solver
 run 2 "is of keys" list solvers --json-schema

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests that includes point only downwards: a room sees the rooms before it, and only main exits.
 . tests/tap.sh
-order="base scene particles grid solver backend render encode run tools main.c"
+order="base scene particles grid solver backend render compare encode run tools main.c"
 
 # position ROOM: its place in the order
 position() { echo "$order" | tr ' ' '\n' | grep -nx -e "$1" | cut -d: -f1; }
@@ -40,7 +40,8 @@ only() {
 }
 only base
 only scene base
-only encode base
+only compare base
+only encode base compare
 only render base scene particles
 only particles base scene
 only grid base particles

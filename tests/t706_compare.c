@@ -50,17 +50,43 @@ static void limits(void **state)
     assert_int_equal(run("--max-fraction=0.01", paths[0], paths[1], NULL, NULL, NULL), 0);
 }
 
+/* 396 of 400 pixels are equal, and 4 differ by 9. */
+static void gates(void **state)
+{
+    (void)state;
+    assert_int_equal(run(paths[0], paths[0], "--gate", "exact", NULL, NULL), 0);
+    assert_int_equal(run(paths[0], paths[1], "--gate", "exact", NULL, NULL), 1);
+    assert_int_equal(run(paths[0], paths[1], "--gate", "exact", "--max-changed", "0.01"), 0);
+    assert_int_equal(run(paths[0], paths[1], "--max-channel=9", "--max-difference", "8", NULL), 1);
+    assert_int_equal(run(paths[0], paths[1], "--max-channel=9", "--max-difference", "9", NULL), 0);
+    assert_int_equal(run(paths[0], paths[1], "--max-channel=9", "--min-psnr", "54", NULL), 1);
+    assert_int_equal(run(paths[0], paths[1], "--max-channel=9", "--min-psnr", "53", NULL), 0);
+}
+
+/* Any accepted version will do. */
+static void versions(void **state)
+{
+    (void)state;
+    assert_int_equal(run(paths[1], paths[0], paths[1], NULL, NULL, NULL), 0);
+    assert_int_equal(run(paths[1], paths[2], paths[1], NULL, NULL, NULL), 0);
+    assert_int_equal(run(paths[1], paths[0], paths[2], NULL, NULL, NULL), 1);
+}
+
 static void usage(void **state)
 {
     (void)state;
     assert_int_equal(run(NULL, NULL, NULL, NULL, NULL, NULL), 2);
     assert_int_equal(run(paths[0], NULL, NULL, NULL, NULL, NULL), 2);
-    assert_int_equal(run(paths[0], paths[0], paths[0], NULL, NULL, NULL), 2);
     assert_int_equal(run(paths[0], "/nonexistent.png", NULL, NULL, NULL, NULL), 2);
     assert_int_equal(run(paths[0], "/dev/null", NULL, NULL, NULL, NULL), 2);
     assert_int_equal(run(paths[0], paths[0], "--max-channel", "x", NULL, NULL), 2);
     assert_int_equal(run(paths[0], paths[0], "--max-fraction", "1.5", NULL, NULL), 2);
     assert_int_equal(run(paths[0], paths[0], "--nonsense", NULL, NULL, NULL), 2);
+    assert_int_equal(run(paths[0], paths[0], "--gate", "exat", NULL, NULL), 2);
+    assert_int_equal(run(paths[0], folder, NULL, NULL, NULL, NULL), 2);
+    assert_int_equal(run(folder, "/nonexistent/*.png", NULL, NULL, NULL, NULL), 2);
+    assert_int_equal(run(folder, folder, "--diff", paths[3], NULL, NULL), 2);
+    assert_int_equal(run(paths[0], paths[0], "--json", "/nonexistent/j.json", NULL, NULL), 2);
     assert_int_equal(run(paths[0], paths[0], "--diff", "/nonexistent/d.png", NULL, NULL), 2);
     assert_int_equal(run("--help", NULL, NULL, NULL, NULL, NULL), 0);
 }
@@ -99,6 +125,20 @@ static int pictures_make(void **state)
     return failed ? -1 : 0;
 }
 
+/* Both frames and the differences beside each other. */
+static void side_by_side(void **state)
+{
+    struct image side;
+    struct error e;
+    (void)state;
+    assert_int_equal(run(paths[0], paths[1], "--side-by-side", paths[3], NULL, NULL), 1);
+    assert_int_equal(image_read_png(&side, paths[3], &e), STATUS_OK);
+    assert_int_equal(side.width, 60);
+    assert_int_equal(side.rgba[1] + 9, side.rgba[4 * 20 + 1]);
+    assert_int_equal(side.rgba[4 * 40 + 1], 144);
+    image_free(&side);
+}
+
 static int pictures_remove(void **state)
 {
     (void)state;
@@ -112,8 +152,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_and_different),
         cmocka_unit_test(limits),
+        cmocka_unit_test(gates),
+        cmocka_unit_test(versions),
         cmocka_unit_test(usage),
         cmocka_unit_test(difference_picture),
+        cmocka_unit_test(side_by_side),
     };
     return cmocka_run_group_tests(tests, pictures_make, pictures_remove);
 }

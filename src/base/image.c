@@ -1,12 +1,13 @@
 /* 8-bit RGBA images, and their PNG files through libpng. */
 #include "base/image.h"
 
+#include "base/output.h"
+
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum status image_create(struct image *image, int width, int height, struct error *e)
 {
@@ -127,9 +128,8 @@ static int png_write_guarded(png_structp png, png_infop info, FILE *file,
     return 0;
 }
 
-/* Encodes into an open file and brings it to the disk. */
-static enum status png_write(const struct image *image, FILE *file, const char *path,
-                             struct error *e)
+enum status image_write_png_to(const struct image *image, FILE *file, const char *path,
+                               struct error *e)
 {
     struct png_trouble trouble = {.text = "out of memory"};
     png_infop info = NULL;
@@ -141,8 +141,6 @@ static enum status png_write(const struct image *image, FILE *file, const char *
     errno = 0;
     if (info)
         result = png_write_guarded(png, info, file, image, &trouble);
-    if (result == 0 && (fflush(file) != 0 || fsync(fileno(file)) != 0))
-        result = 1;
     if (result != 0)
         error_set(e, STATUS_OUTPUT, "cannot write %s: %s", path,
                   errno ? strerror(errno) : trouble.text);
@@ -152,27 +150,10 @@ static enum status png_write(const struct image *image, FILE *file, const char *
 
 enum status image_write_png(const struct image *image, const char *path, struct error *e)
 {
-    enum status status;
-    size_t size = strlen(path) + sizeof ".part";
-    char *part = malloc(size);
-    FILE *file = NULL;
-    if (!part)
-        return error_set(e, STATUS_RUN, "out of memory");
-    snprintf(part, size, "%s.part", path);
-    file = fopen(part, "wb");
-    if (!file) {
-        status = error_set(e, STATUS_OUTPUT, "cannot write %s: %s", part, strerror(errno));
-        goto cleanup;
-    }
-    status = png_write(image, file, part, e);
-    if (fclose(file) != 0 && status == STATUS_OK)
-        status = error_set(e, STATUS_OUTPUT, "cannot write %s: %s", part, strerror(errno));
-    if (status == STATUS_OK && rename(part, path) != 0)
-        status = error_set(e, STATUS_OUTPUT, "cannot rename %s to %s: %s", part, path,
-                           strerror(errno));
-    if (status != STATUS_OK)
-        remove(part);
-cleanup:
-    free(part);
-    return status;
+    struct output_file file;
+    struct error ignored;
+    if (output_open(&file, path, e))
+        return e->status;
+    enum status status = image_write_png_to(image, file.stream, file.part, e);
+    return status ? (output_close(&file, false, &ignored), status) : output_close(&file, true, e);
 }

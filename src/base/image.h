@@ -22,4 +22,8 @@ enum status image_read_png(struct image *image, const char *path, struct error *
 /* Writes to PATH.part, then fsync and rename, so that PATH is whole or untouched; STATUS_OUTPUT. */
 enum status image_write_png(const struct image *image, const char *path, struct error *e);
 
+/* The same into an open file; `path` is how messages call it. */
+enum status image_write_png_to(const struct image *image, FILE *file, const char *path,
+                               struct error *e);
+
 #endif

@@ -47,6 +47,14 @@ void log_set_level(enum log_level level)
     pthread_mutex_unlock(&mutex);
 }
 
+enum log_level log_get_level(void)
+{
+    pthread_mutex_lock(&mutex);
+    enum log_level level = shown;
+    pthread_mutex_unlock(&mutex);
+    return level;
+}
+
 static void erase(void)
 {
     if (progress.visible)

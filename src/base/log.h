@@ -7,6 +7,7 @@ enum log_level { LOG_ERROR, LOG_INFO, LOG_DETAIL };
 /* Shows messages up to `level` (-q: LOG_ERROR, default LOG_INFO, -v: LOG_DETAIL).
  * Colour only on a terminal and without NO_COLOR. */
 void log_set_level(enum log_level level);
+enum log_level log_get_level(void);
 
 void log_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_info(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -1,12 +1,10 @@
-/* Says before a run whether a file can be written, and keeps two writers of one file apart. */
+/* Says whether a file can be written, keeps two writers apart, and lets a file appear whole. */
 #include "base/output.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
-#include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
@@ -82,4 +80,51 @@ void output_release(struct output_claim *claim)
     close(claim->file);
     free(claim->path);
     *claim = (struct output_claim){NULL, -1};
+}
+
+enum status output_open(struct output_file *file, const char *path, struct error *e)
+{
+    *file = (struct output_file){0};
+    if (output_check(path, e)) /* a rename would replace even a device */
+        return e->status;
+    file->path = strdup(path);
+    if (asprintf(&file->part, "%s.part", path) < 0)
+        file->part = NULL;
+    if (!file->path || !file->part)
+        error_set(e, STATUS_RUN, "%s: no memory", path);
+    else if ((file->stream = fopen(file->part, "wb")))
+        return STATUS_OK;
+    else
+        error_set(e, STATUS_OUTPUT, "cannot write %s: %s", file->part, strerror(errno));
+    free(file->path);
+    free(file->part);
+    *file = (struct output_file){0};
+    return e->status;
+}
+
+enum status output_close(struct output_file *file, bool keep, struct error *e)
+{
+    if (!file->stream)
+        return STATUS_OK;
+    enum status status = STATUS_OK;
+    errno = 0;
+    bool good = !keep || (!ferror(file->stream) && fflush(file->stream) == 0 &&
+                          fsync(fileno(file->stream)) == 0);
+    int why = errno;
+    if (fclose(file->stream) != 0 && good && keep) {
+        good = false;
+        why = errno;
+    }
+    if (!good)
+        status = error_set(e, STATUS_OUTPUT, "cannot write %s: %s", file->part,
+                           why ? strerror(why) : "an earlier write failed");
+    else if (keep && rename(file->part, file->path) != 0)
+        status = error_set(e, STATUS_OUTPUT, "cannot rename %s to %s: %s", file->part, file->path,
+                           strerror(errno));
+    if (!keep || status)
+        unlink(file->part);
+    free(file->path);
+    free(file->part);
+    *file = (struct output_file){0};
+    return status;
 }

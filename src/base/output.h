@@ -1,8 +1,11 @@
-/* Files to be written: checked before a run, and claimed against other runs. */
+/* Files to be written: checked before a run, claimed against other runs, whole or absent. */
 #ifndef BASE_OUTPUT_H
 #define BASE_OUTPUT_H
 
 #include "base/error.h"
+
+#include <stdbool.h>
+#include <stdio.h>
 
 /* STATUS_OUTPUT unless the directory of `path` can be written, and what has the name is a file. */
 enum status output_check(const char *path, struct error *e);
@@ -18,5 +21,17 @@ struct output_claim {
 /* STATUS_OUTPUT when somebody else holds it. */
 enum status output_claim(struct output_claim *claim, const char *path, struct error *e);
 void output_release(struct output_claim *claim);
+
+/* A file that is written as PATH.part and takes its name when it is whole and on the disk. */
+struct output_file {
+    FILE *stream;
+    char *path, *part;
+};
+
+/* STATUS_OUTPUT, STATUS_RUN; then nothing is left open. */
+enum status output_open(struct output_file *file, const char *path, struct error *e);
+
+/* keep: to the disk and to its name; else, and on failure, no trace. Accepts a zeroed file. */
+enum status output_close(struct output_file *file, bool keep, struct error *e);
 
 #endif

@@ -8,7 +8,8 @@
 #include <string.h>
 #include <strings.h>
 
-extern const struct encoder_row encoder_mp4, encoder_png, encoder_csv, encoder_hash, encoder_null;
+extern const struct encoder_row encoder_mp4, encoder_png, encoder_csv, encoder_hash, encoder_null,
+    encoder_reference;
 
 static const struct encoder_row *const encoders[] = {
     &encoder_mp4,
@@ -16,6 +17,7 @@ static const struct encoder_row *const encoders[] = {
     &encoder_csv,
     &encoder_hash,
     &encoder_null,
+    &encoder_reference,
 };
 enum { ENCODER_COUNT = sizeof encoders / sizeof encoders[0] };
 
@@ -25,6 +27,7 @@ static const struct variant *const variants[ENCODER_COUNT] = {
     &encoder_csv.variant,
     &encoder_hash.variant,
     &encoder_null.variant,
+    &encoder_reference.variant,
 };
 
 const struct variant_table encode_table = {

@@ -9,6 +9,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Accepted frames, for the encoder "reference". */
+struct encode_reference {
+    const char *const *paths; /* directories, or names as -o takes them; any one will do */
+    size_t count;
+    const char *gate;         /* row of the table "gates" */
+    const char *page;         /* HTML to write, or NULL */
+    bool update;              /* accept the frames instead of comparing them */
+};
+
 struct encode_target {
     const char *path;      /* as given to -o */
     int width, height;     /* pixels */
@@ -17,6 +26,8 @@ struct encode_target {
     const char *title;     /* metadata */
     const char *const *columns; /* of rows: "time (s)" */
     size_t column_count;
+    long frame_count;           /* of the whole film; an interrupted one has fewer */
+    const struct encode_reference *reference; /* NULL: none */
 };
 
 struct encode_frame {
@@ -46,7 +57,7 @@ struct encoder_row {
     enum status (*close)(struct encoder *, bool keep, struct error *);
 };
 
-extern const struct variant_table encode_table; /* "encoders": mp4, png, csv, hash, null */
+extern const struct variant_table encode_table; /* "encoders": mp4, png, csv, hash, null, reference */
 
 /* The row for an output name, or NULL with STATUS_USAGE naming the known extensions. */
 const struct encoder_row *encode_find(const char *path, struct error *e);

@@ -5,9 +5,9 @@ extern const struct encoder_row encoder_mp4;
 
 #if HAVE_LIBAV
 
+#include "base/libav.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "encode/libav.h"
 #include "encode/mp4_codec.h"
 #include "encode/mp4_file.h"
 

@@ -3,8 +3,8 @@
 
 #if HAVE_LIBAV
 
+#include "base/libav.h"
 #include "base/log.h"
-#include "encode/libav.h"
 
 #include <libavcodec/avcodec.h>
 #include <libavutil/opt.h>

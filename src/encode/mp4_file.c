@@ -3,7 +3,7 @@
 
 #if HAVE_LIBAV
 
-#include "encode/libav.h"
+#include "base/libav.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -5,10 +5,10 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/queue.h"
+#include "base/sequence.h"
 #include "encode/encode.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,12 +16,6 @@
 #include <unistd.h>
 
 enum { WORKERS_MAX = 4, JOBS_MAX = 2 * WORKERS_MAX };
-
-/* "dir/x-" number of at least `digits` digits "ok.png"; no number when digits is 0. */
-struct pattern {
-    char before[PATH_MAX], after[PATH_MAX];
-    int digits;
-};
 
 struct job {
     struct image image; /* a copy: the caller may go on drawing */
@@ -31,7 +25,7 @@ struct job {
 enum written { WRITTEN_NOT, WRITTEN_NEW, WRITTEN_STAGED };
 
 struct encoder {
-    struct pattern pattern;
+    struct sequence names;
     struct job jobs[JOBS_MAX];
     size_t job_count;
     pthread_t workers[WORKERS_MAX];
@@ -44,73 +38,24 @@ struct encoder {
     struct error error;       /* the first */
 };
 
-static enum status pattern_error(const char *path, const char *what, struct error *e)
+/* One name for all frames is an error, unless there is one frame. */
+static enum status read_names(struct sequence *names, const struct encode_target *target,
+                              struct error *e)
 {
-    return error_set(e, STATUS_USAGE, "output \"%s\": %s; write for example x-%%04d.png", path,
-                     what);
-}
-
-/* Reads %d or %0Nd at *text and moves past it; 0 when it is neither. */
-static int read_number(const char **text)
-{
-    const char *p = *text + 1;
-    int digits = 1;
-    if (p[0] == '0' && p[1] >= '1' && p[1] <= '9') {
-        digits = p[1] - '0';
-        p += 2;
-    }
-    if (*p != 'd')
-        return 0;
-    *text = p + 1;
-    return digits;
-}
-
-static enum status pattern_read(struct pattern *pattern, const struct encode_target *target,
-                                struct error *e)
-{
-    const char *path = target->path, *p = path;
-    char *out = pattern->before;
-    pattern->digits = 0;
-    pattern->after[0] = 0;
-    if (strlen(path) >= PATH_MAX - 16)
-        return error_set(e, STATUS_OUTPUT, "output \"%s\": the name is too long", path);
-    while (*p) {
-        if (*p != '%') {
-            *out++ = *p++;
-        } else if (p[1] == '%') {
-            *out++ = '%';
-            p += 2;
-        } else if (pattern->digits) {
-            return pattern_error(path, "has more than one frame number (%% is a percent sign)", e);
-        } else if (!(pattern->digits = read_number(&p))) {
-            return pattern_error(path, "has a % that is no frame number: %d and %04d are", e);
-        } else {
-            *out = 0;
-            out = pattern->after;
-        }
-    }
-    *out = 0;
-    if (strchr(pattern->after, '/'))
-        return pattern_error(path, "has its frame number in the directory", e);
-    if (!pattern->digits && !target->single)
+    const char *path = target->path;
+    if (sequence_read(names, "output", path, e))
+        return e->status;
+    if (!names->digits && !target->single)
         return error_set(e, STATUS_USAGE, "output \"%s\": each frame would replace the one before; "
                          "write for example %.*s-%%04d.png, or ask for one frame with --at T", path,
                          (int)(strlen(path) - 4), path);
     return STATUS_OK;
 }
 
-static void pattern_name(const struct pattern *pattern, long index, char *name, size_t size)
-{
-    if (pattern->digits)
-        snprintf(name, size, "%s%0*ld%s", pattern->before, pattern->digits, index, pattern->after);
-    else
-        snprintf(name, size, "%s", pattern->before);
-}
-
 static enum status png_check(const struct encode_target *target, struct error *e)
 {
-    struct pattern pattern;
-    return pattern_read(&pattern, target, e);
+    struct sequence names;
+    return read_names(&names, target, e);
 }
 
 static void record_error(struct encoder *encoder, const struct error *e)
@@ -134,8 +79,8 @@ static enum status first_error(struct encoder *encoder, struct error *e)
 
 static enum status write_job(struct encoder *encoder, const struct job *job, struct error *e)
 {
-    char name[2 * PATH_MAX + 32];
-    pattern_name(&encoder->pattern, job->index, name, sizeof name - 8);
+    char name[SEQUENCE_NAME + 8];
+    sequence_name(&encoder->names, job->index, name, SEQUENCE_NAME);
     bool stage = access(name, F_OK) == 0;
     if (stage)
         strcat(name, ".new");
@@ -194,7 +139,7 @@ static enum status png_open(struct encoder **made, const struct encode_target *t
     queue_init(&encoder->idle);
     queue_init(&encoder->ready);
     size_t workers = worker_count(target);
-    if (pattern_read(&encoder->pattern, target, e))
+    if (read_names(&encoder->names, target, e))
         goto fail;
     for (size_t i = 0; i < (target->single ? 1 : 2 * workers); i++) {
         struct job *job = &encoder->jobs[i];
@@ -256,8 +201,8 @@ static enum status png_frame(struct encoder *encoder, const struct encode_frame 
 /* Brings a staged frame to its name, or removes what this run wrote. */
 static enum status settle(struct encoder *encoder, long index, bool keep, struct error *e)
 {
-    char name[2 * PATH_MAX + 32], staged[2 * PATH_MAX + 40];
-    pattern_name(&encoder->pattern, index, name, sizeof name);
+    char name[SEQUENCE_NAME], staged[SEQUENCE_NAME + 8];
+    sequence_name(&encoder->names, index, name, sizeof name);
     snprintf(staged, sizeof staged, "%s.new", name);
     bool is_staged = encoder->written[index] == WRITTEN_STAGED;
     if (!keep)
@@ -270,9 +215,9 @@ static enum status settle(struct encoder *encoder, long index, bool keep, struct
 /* Says when frames of an earlier, longer film follow on this one's. */
 static void warn_of_older(const struct encoder *encoder, long count)
 {
-    char name[2 * PATH_MAX + 32];
-    pattern_name(&encoder->pattern, count, name, sizeof name);
-    if (encoder->pattern.digits && count && access(name, F_OK) == 0)
+    char name[SEQUENCE_NAME];
+    sequence_name(&encoder->names, count, name, sizeof name);
+    if (encoder->names.digits && count && access(name, F_OK) == 0)
         log_info("%s and what follows it belong to an earlier film", name);
 }
 

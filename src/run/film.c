@@ -175,6 +175,8 @@ static struct encode_target target_of(const struct film_setup *setup, size_t out
         .title = scene->title,
         .columns = setup->columns,
         .column_count = setup->column_count,
+        .frame_count = setup->frame_count,
+        .reference = setup->reference,
     };
 }
 

@@ -20,6 +20,8 @@ enum {
     FILM_IMAGES = 3     /* one drawn, one waiting, one encoded */
 };
 
+struct encode_reference;
+
 struct film_setup {
     const struct scene *scene;         /* movie.size, movie.fps, title */
     const struct render_setup *render; /* may be NULL when no output wants pixels */
@@ -28,6 +30,8 @@ struct film_setup {
     bool single;                       /* --at: one frame only */
     const char *const *columns;        /* of measured rows; NULL when no output wants rows */
     size_t column_count;
+    long frame_count;                  /* of the whole film */
+    const struct encode_reference *reference; /* accepted frames, or NULL */
 };
 
 /* The particles of one frame. The film owns the arrays; they are to be filled, not replaced. */

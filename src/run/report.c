@@ -2,14 +2,13 @@
 #include "run/report.h"
 
 #include "base/memory.h"
-#include "scene/json.h"
+#include "base/output.h"
+#include "base/quote.h"
 
-#include <errno.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 double report_pass_seconds(const struct backend_counts *counts)
 {
@@ -126,19 +125,11 @@ static void write_body(FILE *f, const struct report *r, struct simulation *s)
 enum status report_write(const char *path, const struct report *report, struct simulation *s,
                          struct error *e)
 {
-    char part[4200];
-    snprintf(part, sizeof part, "%s.part", path);
-    FILE *f = fopen(part, "w");
-    if (!f)
-        return error_set(e, STATUS_OUTPUT, "%s: %s", path, strerror(errno));
-    write_body(f, report, s);
-    bool good = fflush(f) == 0 && !ferror(f) && fsync(fileno(f)) == 0;
-    int why = errno;
-    if (fclose(f) != 0 || !good || rename(part, path) != 0) {
-        why = good ? errno : why;
-        unlink(part);
-        return error_set(e, STATUS_OUTPUT, "%s: %s; the report was not written", path,
-                         strerror(why));
-    }
+    struct output_file file;
+    if (output_open(&file, path, e))
+        return e->status;
+    write_body(file.stream, report, s);
+    if (output_close(&file, true, e))
+        return error_context(e, "the report was not written");
     return STATUS_OK;
 }

@@ -166,7 +166,9 @@ static enum status film_start(struct session *x, const struct run_options *optio
                                .output_count = options->output_count,
                                .columns = plan->measures.columns,
                                .column_count = plan->measures.column_count,
-                               .single = !isnan(options->at)};
+                               .single = !isnan(options->at),
+                               .frame_count = x->frames.count,
+                               .reference = options->reference};
     return film_open(&x->film, &setup, e);
 }
 

@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+struct encode_reference;
+
 /* How to run; none of it changes the bits of the state. */
 struct run_options {
     const char *const *outputs; /* -o, in order */
@@ -20,6 +22,7 @@ struct run_options {
     const char *isa;            /* row of the table "isas", or "auto" */
     const char *report;         /* JSON file, or NULL */
     const char *write_scene;    /* file for the effective scene, or NULL */
+    const struct encode_reference *reference; /* of the output "reference", or NULL */
 };
 
 /* All variant tables, for list, --help and scene_load. */

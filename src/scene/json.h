@@ -49,10 +49,6 @@ bool json_string(const struct json *doc, int node, char *out, size_t size);
 /* The value of the key in an object node, or -1. */
 int json_member(const struct json *doc, int object, const char *key);
 
-/* Writes text as a JSON string with quotes; returns false (truncated, still terminated) when it
- * needs more than `size` bytes. */
-bool json_quote(const char *text, char *out, size_t size);
-
 /* "an object", "a number" ... for messages. */
 const char *json_kind_name(enum json_kind kind);
 

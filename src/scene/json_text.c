@@ -83,37 +83,6 @@ int json_member(const struct json *doc, int object, const char *key)
     return -1;
 }
 
-bool json_quote(const char *text, char *out, size_t size)
-{
-    size_t n = 0;
-    bool whole = size > 2;
-    if (size)
-        out[0] = '\0';
-    if (!whole)
-        return false;
-    out[n++] = '"';
-    for (; *text && whole; text++) {
-        char one[8];
-        unsigned char byte = (unsigned char)*text;
-        if (byte == '"' || byte == '\\')
-            snprintf(one, sizeof one, "\\%c", byte);
-        else if (byte < 32)
-            snprintf(one, sizeof one, "\\u%04x", byte);
-        else
-            snprintf(one, sizeof one, "%c", byte);
-        whole = n + strlen(one) + 2 <= size;
-        if (whole) {
-            memcpy(out + n, one, strlen(one));
-            n += strlen(one);
-        }
-    }
-    if (n + 2 > size)
-        n = size - 2;
-    out[n++] = '"';
-    out[n] = '\0';
-    return whole;
-}
-
 const char *json_kind_name(enum json_kind kind)
 {
     static const char *const names[] = {"an object", "an array", "a string", "a number",

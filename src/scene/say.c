@@ -1,4 +1,5 @@
 /* Notes where in the file and the overrides each key is said; finds unknown and duplicate keys. */
+#include "base/quote.h"
 #include "base/suggest.h"
 #include "scene/load.h"
 #include "scene/value.h"

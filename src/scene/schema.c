@@ -1,4 +1,5 @@
 /* Writes the JSON Schema of scene files, for editors. */
+#include "base/quote.h"
 #include "scene/value.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
 /* Writes single values as JSON, and says in words what a key takes. */
+#include "base/quote.h"
 #include "scene/value.h"
 
 #include <inttypes.h>

@@ -1,8 +1,8 @@
 /* sph-render bench: how fast scenes run, by phase, against this machine's own peak. */
 #include "base/log.h"
+#include "base/quote.h"
 #include "run/report.h"
 #include "run/simulation.h"
-#include "scene/json.h"
 #include "tools/cli.h"
 #include "tools/tools.h"
 

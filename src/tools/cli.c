@@ -50,7 +50,8 @@ static enum status check_outputs(const struct cli *cli, struct error *e)
         cli->run.write_scene)
         return STATUS_OK;
     return error_set(e, STATUS_USAGE, "no output; add -o film.mp4, -o 'frame-%%04d.png', "
-                     "-o values.csv, -o null or -o hash; or --check, --plan or --report FILE.json");
+                     "-o values.csv, -o null or -o hash; or --reference DIR, --check, --plan or "
+                     "--report FILE.json");
 }
 
 static enum status film(const struct cli *cli, const struct scene *scene, struct error *e)

@@ -42,6 +42,14 @@ const struct cli_option cli_options[] = {
     {"report", "FILE.json", CLI_REPORT, 4, "Write machine, scene in force, steps, times by phase and state hashes of the run", NULL, NULL},
     {"write-scene", "FILE.json", CLI_WRITE_SCENE, 4, "Write the scene in force, every key with its "
      "value; - is standard output", NULL, NULL},
+    {"reference", "DIR", CLI_REFERENCE, 4, "Compare each frame with DIR/frame-0000.png and so on "
+     "(DIR/frame.png with --at; or name them as for -o, x-%04d.png); exit code 1 when one differs. May "
+     "be given several times: any will do.", NULL, NULL},
+    {"update", NULL, CLI_UPDATE, 4, "Accept the frames: write them to the --reference", NULL, NULL},
+    {"gate", "NAME", CLI_GATE, 4, "Limits for --reference: same-stack (default), exact, "
+     "cross-driver; `sph-render list gates' says what they are", NULL, NULL},
+    {"html", "FILE|DIR", CLI_HTML, 4, "Write a page that shows the frames beside the accepted ones",
+     NULL, NULL},
 
     {"quiet", NULL, 'q', 5, "Only errors", NULL, NULL},
     {"verbose", NULL, 'v', 5, "More details", NULL, NULL},
@@ -82,8 +90,9 @@ static void print_post(FILE *out)
           "  sph-render scenes/dambreak.json --end 1 --fps 10 -o 'dam-%03d.png' -o hash\n"
           "  sph-render scenes/dambreak.json --plan\n"
           "  sph-render scenes/dambreak.json --set particles.spacing=0.01 -o fine.mp4\n"
+          "  sph-render scenes/dambreak.json --reference accepted --html page.html\n"
           "  sph-render bench scenes/bench/dambreak-50k.json --threads 1\n\n"
-          "Exit codes: 0 done, 1 run failed, 2 usage or scene, 3 no renderer or encoder, 4 output "
+          "Exit codes: 0 done, 1 run failed or frames differ, 2 usage or scene, 3 no renderer or encoder, 4 output "
           "or disk, 130 interrupted.", out);
 }
 

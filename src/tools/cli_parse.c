@@ -1,5 +1,6 @@
 /* Reads the options of a film. */
 #include "base/log.h"
+#include "compare/gate.h"
 #include "tools/cli.h"
 
 #include <errno.h>
@@ -122,10 +123,31 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
     case CLI_PLAN: cli->plan = true; break;
     case CLI_REPORT: cli->run.report = value; break;
     case CLI_WRITE_SCENE: cli->run.write_scene = value; break;
+    case CLI_REFERENCE: cli->references[cli->reference.count++] = value; break;
+    case CLI_UPDATE: cli->reference.update = true; break;
+    case CLI_GATE: cli->reference.gate = value; break;
+    case CLI_HTML: cli->reference.page = value; break;
     case ARGP_KEY_ARG: read_argument(cli, value); break;
     default: return ARGP_ERR_UNKNOWN;
     }
     return cli->error.status ? EINVAL : 0;
+}
+
+/* --reference is an output, the last one: what it says of the others must not undo them. */
+static enum status finish_reference(struct cli *cli)
+{
+    struct encode_reference *reference = &cli->reference;
+    const char *alone = reference->update ? "--update" : reference->gate ? "--gate"
+                        : reference->page ? "--html" : NULL;
+    if (!reference->count)
+        return alone ? error_set(&cli->error, STATUS_USAGE, "%s needs --reference DIR", alone)
+                     : STATUS_OK;
+    reference->paths = cli->references;
+    if (!reference->gate)
+        reference->gate = gate_table.rows[0]->name;
+    cli->outputs[cli->run.output_count++] = "reference";
+    cli->run.reference = reference;
+    return STATUS_OK;
 }
 
 static char *filter_help(int key, const char *text, void *input)
@@ -146,8 +168,10 @@ enum status cli_parse(struct cli *cli, int argc, char **argv)
                         .outputs = calloc(room, sizeof(char *)),
                         .items = calloc(room, sizeof(char *)),
                         .labels = calloc(room, sizeof(char *)),
+                        .references = calloc(room, sizeof(char *)),
                         .made = calloc(2 * room, sizeof(char *))};
-    if (!cli->outputs || !cli->items || !cli->labels || !cli->made)
+    if (!cli->outputs || !cli->items || !cli->labels ||
+        !cli->references || !cli->made)
         return error_set(&cli->error, STATUS_RUN, "memory is short");
     _Static_assert(sizeof options / sizeof *options > 40, "room for all options and groups");
     if (cli_check_names(argc, argv, &cli->error))
@@ -159,7 +183,7 @@ enum status cli_parse(struct cli *cli, int argc, char **argv)
     cli->set.labels = cli->labels;
     if (failed && !cli->error.status)
         return error_set(&cli->error, STATUS_RUN, "options: %s", strerror(failed));
-    return cli->error.status;
+    return failed ? cli->error.status : finish_reference(cli);
 }
 
 void cli_free(struct cli *cli)
@@ -170,4 +194,5 @@ void cli_free(struct cli *cli)
     free(cli->outputs);
     free(cli->items);
     free(cli->labels);
+    free(cli->references);
 }

@@ -1,6 +1,6 @@
 /* Turns the codes and log lines of libavcodec and its family into our messages. */
-#ifndef ENCODE_LIBAV_H
-#define ENCODE_LIBAV_H
+#ifndef BASE_LIBAV_H
+#define BASE_LIBAV_H
 
 #include "base/error.h"
 

@@ -1,5 +1,5 @@
 /* Remembers the last error line of libavcodec and its family, and words their codes. */
-#include "encode/libav.h"
+#include "base/libav.h"
 
 #if HAVE_LIBAV
 
