@@ -83,6 +83,20 @@ bad type 2:39 'domain.max must be an array of 3 numbers, not 1' <<'X'
   "domain": {"min": [0, 0, 0], "max": 1}
 }
 X
+# bad_camera LINE:COLUMN TEXT KEYS: the dam break with that camera, from line 2 on
+bad_camera() {
+    jq -c 'del(.camera)' $scene | sed "s|^{|{ \"camera\": {\n$3},\n|" >"$work/in"
+    bad camera "$1" "$2" <"$work/in"
+}
+bad_camera 2:54 "camera.eye and camera.keyframes" '"keyframes": [{"time": 0, "eye": [3, 1, 3]}], "eye": [1, 2, 3]'
+bad_camera 3:10 "camera.keyframes.1.time 1 s is not after the 2 s" \
+    '"keyframes": [{"time": 2, "eye": [3, 1, 3]},\n{"time": 1, "eye": [3, 1, 3]}]'
+bad_camera 2:34 "camera.keyframes.0.eye is its target" \
+    '"keyframes": [{"time": 2, "eye": [3, 1, 3], "target": [3, 1, 3]}]'
+bad_camera 2:15 '"camera.keyframes.0.eye" is missing' '"keyframes": [{"time": 2}]'
+bad_camera 2:16 'unknown key "camera.keyframes.0.tme"; did you mean "camera.keyframes.0.time"' \
+    '"keyframes": [{"tme": 2}]'
+run 2 "OpenGL draws in perspective only" $scene -o "$work/film.mp4" --set camera.projection=orthographic
 printf '\357\273\277{}' >"$work/in"
 bad bom 1:1 "the file begins with a byte order mark" <"$work/in"
 printf '{"title": "\0"}' >"$work/in"

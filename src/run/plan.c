@@ -171,6 +171,15 @@ static void plan_color(struct plan *plan, const struct run_options *options)
     plan->color->range(&expect, plan->color_range);
 }
 
+static enum status check_projection(const struct plan *plan, struct error *e)
+{
+    const struct scene *scene = plan->scene;
+    if (!plan->draws || scene->camera.projection == PROJECTION_PERSPECTIVE)
+        return STATUS_OK;
+    return error_set(e, STATUS_USAGE, "%s: camera.projection is orthographic, and OpenGL draws in "
+                     "perspective only; set camera.projection=perspective", scene->source);
+}
+
 static enum status plan_measures(struct plan *plan, const struct run_options *options,
                                  struct error *e)
 {
@@ -303,7 +312,7 @@ enum status plan_make(struct plan *plan, const struct scene *scene,
     plan_passes(plan);
     omit_terms(plan);
     plan_color(plan, options);
-    if (!plan_measures(plan, options, e)) {
+    if (!check_projection(plan, e) && !plan_measures(plan, options, e)) {
         plan_fields(plan);
         check_reads(plan, e);
     }

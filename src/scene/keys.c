@@ -8,6 +8,7 @@
 #define FLUID(member) offsetof(struct scene_fluid, member)
 #define BODY(member) offsetof(struct scene_body, member)
 #define MEASURE(member) offsetof(struct scene_measure, member)
+#define KEYFRAME(member) offsetof(struct scene_keyframe, member)
 #define ANY 0, 0           /* no range */
 #define FROM(low) low, INFINITY
 #define WALLS "closed|particles|periodic"
@@ -21,7 +22,7 @@
 
 /* An enum is stored through an int. */
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
-               sizeof(enum body_fill) == sizeof(int) &&
+               sizeof(enum body_fill) == sizeof(int) && sizeof(enum camera_projection) == sizeof(int) &&
                sizeof(enum body_start) == sizeof(int), "enums are ints");
 
 const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
@@ -148,6 +149,23 @@ const struct key scene_core_keys[] = {
      IN(camera.fov)},
     {"camera.orbit_period", KEY_REAL, 0, "0", ANY, "s", NULL,
      "scene time of a turn about up; 0: still", IN(camera.orbit_period)},
+    {"camera.projection", KEY_ENUM, 0, "\"perspective\"", ANY, "", "perspective|orthographic",
+     "orthographic: nothing gets smaller with distance, so that lengths can be measured",
+     IN(camera.projection)},
+    {"camera.height", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", FROM(0), "m", NULL,
+     "orthographic: height of the picture; auto: frames the domain, or with an eye what fov shows at "
+     "the target", IN(camera.height)},
+    {"camera.keyframes[].time", KEY_REAL, 0, NULL, FROM(0), "s", NULL,
+     "scene time at which the camera is here; between, before and after: on a curve, first, last",
+     KEYFRAME(time)},
+    {"camera.keyframes[].eye", KEY_VEC3, 0, NULL, ANY, "m", NULL, "where the camera is",
+     KEYFRAME(eye)},
+    {"camera.keyframes[].target", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
+     "what it looks at; auto: camera.target", KEYFRAME(target)},
+    {"camera.keyframes[].up", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "", NULL,
+     "direction that is up in the picture; auto: camera.up", KEYFRAME(up)},
+    {"camera.keyframes[].fov", KEY_REAL, KEY_AUTO, "\"auto\"", 1, 150, "degrees", NULL,
+     "vertical angle of view; auto: camera.fov", KEYFRAME(fov)},
 
     {"color.by", KEY_CHOICE, 0, "\"velocity\"", ANY, "", "colors", "quantity shown", IN(color.by)},
     {"color.map", KEY_CHOICE, 0, "\"viridis\"", ANY, "", "maps", "colour map", IN(color.map)},
@@ -173,6 +191,8 @@ const struct key_array scene_arrays[ARRAY_COUNT] = {
     {"fluids", "fluids[].", IN(fluids), IN(fluid_count), sizeof(struct scene_fluid)},
     {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body)},
     {"measure", "measure[].", IN(measures), IN(measure_count), sizeof(struct scene_measure)},
+    {"camera.keyframes", "camera.keyframes[].", IN(keyframes), IN(keyframe_count),
+     sizeof(struct scene_keyframe)},
 };
 
 enum { BOX = 1 << BODY_BOX, SPHERE = 1 << BODY_SPHERE, CYLINDER = 1 << BODY_CYLINDER };

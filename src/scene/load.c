@@ -294,6 +294,7 @@ void scene_free(struct scene *scene)
     free(scene->fluids);
     free(scene->bodies);
     free(scene->measures);
+    free(scene->keyframes);
     free(scene->options);
     free(scene);
 }

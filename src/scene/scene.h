@@ -67,6 +67,17 @@ struct scene_measure {
     double decay;                 /* 1/s */
 };
 
+/* The camera at one time; between times it moves along smooth curves. */
+struct scene_keyframe {
+    double time;           /* s, each after the one before */
+    double eye[3];         /* m */
+    double target[3];      /* m; NAN: camera.target */
+    double up[3];          /* NAN: camera.up */
+    double fov;            /* degrees; NAN: camera.fov */
+};
+
+enum camera_projection { PROJECTION_PERSPECTIVE, PROJECTION_ORTHOGRAPHIC };
+
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
     int line, column;      /* of its value in the file; 0: not said there */
@@ -131,7 +142,11 @@ struct scene {
         double eye[3], target[3], up[3]; /* m; eye NAN (auto): frames the domain */
         double fov;                      /* vertical, degrees */
         double orbit_period;             /* s of scene time per turn about `up`; 0: still */
+        enum camera_projection projection;
+        double height;                   /* orthographic: of the picture, m; NAN: chosen */
     } camera;
+    struct scene_keyframe *keyframes; /* of the camera */
+    size_t keyframe_count; /* may be 0 */
 
     struct {
         char by[KEY_TEXT_SIZE];  /* table "colors" */
