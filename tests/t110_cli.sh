@@ -31,6 +31,18 @@ run 2 "--fps fast" $scene --check --fps fast
 run 2 "--end -1" $scene --check --end -1
 run 2 "--at soon" $scene -o null --at soon
 run 2 "add --end 99" $scene -o null --at 99
+run 2 "--at 1,soon: give a time" $scene -o null --at 1,soon
+run 2 "--at 1,: give a time" $scene -o null --at 1,
+run 2 "--at: the time 0.5 is given twice" $scene -o null --at 0.5,1 --at .5
+run 2 "add --end 9" $scene -o null --at 1,9,2
+run 2 "--sheet 3: write COLUMNSxROWS" $scene -o null --sheet 3
+run 2 "--sheet 0x2: write COLUMNSxROWS" $scene -o null --sheet 0x2
+run 2 "has room for 2 pictures, and --at gives 3 times" $scene -o null --sheet 2x1 --at 0,1,2
+run 2 "did you mean \"camera.fov\"" $scene --check --camera "fvo=20"
+run 2 "--camera eye=3,1: camera.eye must be an array of 3 numbers" $scene --check --camera "eye=3,1"
+run 2 "write for example \"eye=3,1,3 fov=40\"" $scene --check --camera "eye"
+run 0 '"eye": [3, 1, 3], "target"' $scene --print-camera --camera "eye=3,1,3 target=.8,.3,.3 fov=20"
+run 0 '"fov": 20}' $scene --print-camera --camera "eye=3,1,3 target=.8,.3,.3 fov=20"
 run 2 "--threads -2" $scene --check --threads -2
 run 2 "--threads 1.5" $scene --check --threads 1.5
 run 2 "is given twice" $scene -o null -o null

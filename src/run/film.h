@@ -25,7 +25,8 @@ struct film_setup {
     const struct render_setup *render; /* may be NULL when no output wants pixels */
     const char *const *outputs;        /* as given to -o */
     size_t output_count;
-    bool single;                       /* --at: one frame only */
+    bool single;                       /* one frame only */
+    int sheet[2];                      /* columns and rows of pictures in one frame; 0: none */
     const char *const *columns;        /* of measured rows; NULL when no output wants rows */
     size_t column_count;
 };

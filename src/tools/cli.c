@@ -2,6 +2,7 @@
 #include "tools/cli.h"
 #include "base/log.h"
 #include "base/suggest.h"
+#include "render/camera.h"
 #include "tools/tools.h"
 
 #include <errno.h>
@@ -47,23 +48,33 @@ static enum status check_outputs(const struct cli *cli, struct error *e)
                 return error_set(e, STATUS_USAGE, "-o %s is given twice", cli->outputs[i]);
     }
     if (cli->run.output_count || cli->check || cli->plan || cli->run.report ||
-        cli->run.write_scene)
+        cli->run.write_scene || cli->print_camera)
         return STATUS_OK;
     return error_set(e, STATUS_USAGE, "no output; add -o film.mp4, -o 'frame-%%04d.png', "
                      "-o values.csv, -o null or -o hash; or --check, --plan or --report FILE.json");
 }
 
+static void print_camera(const struct cli *cli, const struct scene *scene)
+{
+    const double *times = cli->run.time_count ? cli->times : &scene->movie.start;
+    camera_write(scene, scene->render.radius * scene->particles.spacing, times,
+                 cli->run.time_count ? cli->run.time_count : 1, stdout);
+}
+
 static enum status film(const struct cli *cli, const struct scene *scene, struct error *e)
 {
     bool run = !cli->check && !cli->plan && (cli->run.output_count || cli->run.report);
-    if (cli->run.at > scene->time.end)
+    double last = cli->run.time_count ? cli->times[cli->run.time_count - 1] : 0;
+    if (last > scene->time.end)
         return error_set(e, STATUS_USAGE, "--at %g is after the end of the scene at %g s; add "
-                         "--end %g", cli->run.at, scene->time.end, cli->run.at);
+                         "--end %g", last, scene->time.end, last);
     if (cli->run.write_scene) {
         enum status status = scene_save(scene, &run_vocabulary, cli->run.write_scene, e);
         if (status)
             return status;
     }
+    if (cli->print_camera)
+        print_camera(cli, scene);
     if (run)
         return run_scene(scene, &cli->run, e);
     if (cli->plan)
