@@ -43,6 +43,10 @@ run 2 "--camera eye=3,1: camera.eye must be an array of 3 numbers" $scene --chec
 run 2 "write for example \"eye=3,1,3 fov=40\"" $scene --check --camera "eye"
 run 0 '"eye": [3, 1, 3], "target"' $scene --print-camera --camera "eye=3,1,3 target=.8,.3,.3 fov=20"
 run 0 '"fov": 20}' $scene --print-camera --camera "eye=3,1,3 target=.8,.3,.3 fov=20"
+run 2 "-o - and -o hash both write to standard output" $scene -o - -o hash
+run 2 "-o - and --write-scene - both write" $scene -o - --write-scene -
+run 2 'did you mean "vp9"' $scene --check --set movie.codec=vp8
+run 0 "libx265" list codecs
 run 2 "--threads -2" $scene --check --threads -2
 run 2 "--threads 1.5" $scene --check --threads 1.5
 run 2 "is given twice" $scene -o null -o null

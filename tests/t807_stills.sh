@@ -1,5 +1,5 @@
 #!/bin/sh
-# Tests pictures of single times: --at lists, contact sheets, and the printed camera.
+# Tests pictures of single times: --at lists, contact sheets, the printed camera, films through pipes.
 . tests/tap.sh
 cat >"$work/scene.json" <<'X'
 { "domain": {"min": [0, 0, 0], "max": [0.5, 0.5, 0.5]}, "particles": {"spacing": 0.0625},
@@ -53,4 +53,20 @@ result $? "the printed camera prints the same again"
 shoot --print-camera --at 0,0.1,0.4 && cp "$work/text" "$work/a.txt"
 camera --at 0,0.1,0.4 <"$work/a.txt" && same_camera
 result $? "and so do keyframes"
+if "$SPH" list encoders | grep -q '^ *y4m.*not in this build'; then
+    echo "1..$n"
+    exit
+fi
+"$SPH" "$work/scene.json" --threads 1 --at 0,0.1 -o - >"$work/film.y4m" 2>"$work/out"
+[ $? = 0 ] && [ "$(wc -c <"$work/film.y4m")" = $(($(head -n 1 "$work/film.y4m" | wc -c) + 2 * (6 + 64 * 48 * 3 / 2))) ]
+result $? "a film on standard output is alone there"
+[ "$(head -c 22 "$work/film.y4m")" = "YUV4MPEG2 W64 H48 F100" ]
+result $? "and begins with its size"
+"$SPH" -q "$work/scene.json" --threads 1 --at 0 -o - 2>"$work/out" >/dev/full
+[ $? = 4 ]
+result $? "a full standard output is exit code 4"
+shoot --at 0 -o "$work/none.mp4" --set movie.codec=h264 --set movie.options=nonsense=1
+[ $? = 2 ] && grep -q "movie.options: nonsense: codec h264 has no such option; it has" "$work/out" &&
+    [ -z "$(ls "$work" | grep none)" ]
+result $? "a wrong option is exit code 2, and nothing is written"
 echo "1..$n"

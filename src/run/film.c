@@ -185,6 +185,8 @@ static struct encode_target target_of(const struct film_setup *setup, size_t out
         .fps = scene->movie.fps,
         .single = setup->single,
         .title = scene->title,
+        .comment = setup->comment,
+        .video = setup->video,
         .columns = setup->columns,
         .column_count = setup->column_count,
     };
@@ -235,7 +237,8 @@ static enum status open_output(struct output *output, const struct film_setup *s
     output->row = encode_find(target.path, e);
     if (!output->row)
         return e->status;
-    if (encode_is_file(output->row) && output_claim(&output->claim, target.path, e))
+    if (encode_is_file(output->row, target.path) &&
+        output_claim(&output->claim, target.path, e))
         return e->status;
     if (output->row->open(&output->encoder, &target, e)) {
         output_release(&output->claim);

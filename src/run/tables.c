@@ -1,7 +1,7 @@
 /* All variant tables: what list prints, --help offers, and scene files may name. */
 #include "backend/backend.h"
 #include "backend/cpu/isa.h"
-#include "encode/encode.h"
+#include "encode/codec.h"
 #include "grid/search.h"
 #include "particles/flows.h"
 #include "render/color.h"
@@ -13,7 +13,7 @@
 static const struct variant_table *const tables[] = {
     &solver_table,    &kernel_table,   &search_table, &backend_table, &isa_table,
     &render_contexts, &encode_table,   &color_table,  &render_maps,
-    &render_overlays, &measure_table,  &flow_table,
+    &render_overlays, &measure_table,  &flow_table,   &codec_table,
 };
 
 const struct vocabulary run_vocabulary = {tables, sizeof tables / sizeof *tables};

@@ -136,6 +136,11 @@ struct scene {
         double fps;        /* frames per second of film = frames per `speed` seconds of scene */
         double start;      /* first frame, s */
         double speed;      /* scene seconds per film second; 0.5 is slow motion */
+        char codec[KEY_TEXT_SIZE];        /* table "codecs"; "auto": by the file */
+        double crf;                       /* constant quality; NAN: the codec's */
+        char preset[KEY_TEXT_SIZE], tune[KEY_TEXT_SIZE]; /* of the codec; "auto" */
+        char pixel_format[KEY_TEXT_SIZE]; /* as libavutil calls it; "auto" */
+        char options[KEY_TEXT_SIZE];      /* of the codec: "key=value key=value" */
     } movie;
 
     struct {
@@ -196,6 +201,9 @@ enum status scene_fail(const struct scene *scene, const char *path, struct error
 
 /* Writes every key with its value in force, as a scene file that loads to the same scene. */
 void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);
+
+/* FNV-1a of what scene_write writes: equal for scenes that say the same in other words. */
+uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabulary);
 
 /* scene_write to a file, by way of PATH.part and rename; "-" is stdout. STATUS_OUTPUT. */
 enum status scene_save(const struct scene *scene, const struct vocabulary *vocabulary,

@@ -143,6 +143,22 @@ void scene_write(const struct scene *scene, const struct vocabulary *vocabulary,
     key_list_free(&w.keys);
 }
 
+uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabulary)
+{
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return 0;
+    scene_write(scene, vocabulary, out);
+    fclose(out);
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
+    free(text);
+    return hash;
+}
+
 static enum status save_error(const char *path, struct error *e)
 {
     return error_set(e, STATUS_OUTPUT, "%s: cannot be written: %s", path, strerror(errno));

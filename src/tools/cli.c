@@ -38,6 +38,22 @@ static enum status check_scene_name(const struct cli *cli, struct error *e)
     return STATUS_OK;
 }
 
+/* A film on standard output is alone there. */
+static enum status check_pipe(const struct cli *cli, struct error *e)
+{
+    const char *other = cli->print_camera ? "--print-camera" : NULL;
+    bool piped = false;
+    if (cli->run.write_scene && strcmp(cli->run.write_scene, "-") == 0)
+        other = "--write-scene -";
+    for (size_t i = 0; i < cli->run.output_count; i++) {
+        piped |= strcmp(cli->outputs[i], "-") == 0;
+        if (strcmp(cli->outputs[i], "hash") == 0)
+            other = "-o hash";
+    }
+    return piped && other ? error_set(e, STATUS_USAGE, "-o - and %s both write to standard output; "
+                                      "name a file for one", other) : STATUS_OK;
+}
+
 static enum status check_outputs(const struct cli *cli, struct error *e)
 {
     for (size_t i = 0; i < cli->run.output_count; i++) {
@@ -97,6 +113,8 @@ static enum status film_main(int argc, char **argv, struct error *e)
         status = check_scene_name(&cli, e);
     if (!status)
         status = check_outputs(&cli, e);
+    if (!status)
+        status = check_pipe(&cli, e);
     if (!status)
         status = scene_load(&scene, cli.scene, &cli.set, &run_vocabulary, e);
     if (!status)

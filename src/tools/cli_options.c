@@ -13,9 +13,10 @@ static const char *const groups[CLI_GROUPS] = {
     "Instead of a film, or besides:", "Messages:"};
 
 const struct cli_option cli_options[] = {
-    {"output", "OUT", 'o', 1, "Write OUT, by its ending: film.mp4, frame-%04d.png, frame.png (with "
-     "--at), values.csv (measured quantities), null (compute only), hash (print index, time, state hash and pixel hash of each frame). May be "
-     "given several times: one run, several outputs.",
+    {"output", "OUT", 'o', 1, "Write OUT, by its ending: film.mp4, .webm, .mkv, .gif, .apng or .y4m "
+     "(how: keys of movie), frame-%04d.png, frame.png (with --at), values.csv (measured quantities), - "
+     "(y4m to standard output), null (compute only), hash (print index, time, state hash and pixel "
+     "hash of each frame). May be given several times: one run, several outputs.",
      NULL, NULL},
     {"at", "T,...", CLI_AT, 1, "No film but a frame of the state at exactly T seconds of scene time, "
      "or at each of several times", NULL, NULL},
@@ -89,6 +90,7 @@ static void print_post(FILE *out)
           "  sph-render scenes/dambreak.json --at 0.5 -o dam.png\n"
           "  sph-render scenes/dambreak.json --sheet 3x2 --size 640x360 -o sheet.png\n"
           "  sph-render scenes/dambreak.json --end 1 --fps 10 -o 'dam-%03d.png' -o hash\n"
+          "  sph-render scenes/dambreak.json -o - | ffplay -\n"
           "  sph-render scenes/dambreak.json --plan\n"
           "  sph-render scenes/dambreak.json --set particles.spacing=0.01 -o fine.mp4\n"
           "  sph-render bench scenes/bench/dambreak-50k.json --threads 1\n\n"
