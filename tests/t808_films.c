@@ -11,6 +11,7 @@
 #if HAVE_LIBAV
 
 #include "encode/codec.h"
+#include "encode/palette.h"
 #include "film_file.h"
 
 #include <fcntl.h>
@@ -109,6 +110,39 @@ static void lossless_films(void **state)
     image_free(&image);
 }
 
+/* Few colours come back as they were; of many the mean error is small. */
+static void palettes_fit_pictures(void **state)
+{
+    struct palette *palette = palette_create();
+    struct image image;
+    struct error e;
+    uint32_t colors[PALETTE_SIZE];
+    double sum = 0;
+    (void)state;
+    image_create(&image, 256, 256, &e);
+    picture_patches(&image);
+    palette_choose(palette, &image, colors);
+    for (size_t i = 0; i < 256 * 256; i++) {
+        const uint8_t *p = image.rgba + 4 * i;
+        uint32_t color = colors[palette_index(palette, p)];
+        assert_int_equal(color, 0xff000000u | (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
+    }
+    for (size_t i = 0; i < 256 * 256; i++) { /* 65536 colours of a plane */
+        image.rgba[4 * i] = (uint8_t)(i % 256);
+        image.rgba[4 * i + 1] = (uint8_t)(i / 256);
+        image.rgba[4 * i + 2] = 77;
+    }
+    palette_choose(palette, &image, colors);
+    for (size_t i = 0; i < 256 * 256; i++) {
+        uint32_t color = colors[palette_index(palette, image.rgba + 4 * i)];
+        sum += fabs((double)(color >> 16 & 255) - (double)(i % 256)) / 65536;
+        assert_int_equal(color & 255, 77);
+    }
+    assert_true(sum < 6); /* 16 x 16 squares would have 4 */
+    image_free(&image);
+    palette_free(palette);
+}
+
 /* Reads the whole file; *size bytes. */
 static char *file_bytes(const char *path, size_t *size)
 {
@@ -196,7 +230,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         IN_DIRECTORY(every_container), IN_DIRECTORY(keys_are_followed),
-        IN_DIRECTORY(lossless_films),  IN_DIRECTORY(y4m_is_plain),
+        IN_DIRECTORY(lossless_films),  cmocka_unit_test(palettes_fit_pictures),
+        IN_DIRECTORY(y4m_is_plain),
         IN_DIRECTORY(y4m_to_standard_output), IN_DIRECTORY(wishes_are_checked),
     };
     log_set_level(LOG_ERROR);

@@ -25,9 +25,12 @@ static void append(char *text, size_t size, const char *word)
         snprintf(text + used, size - used, "%s%s", used ? ", " : "", word);
 }
 
-/* Whether frames can be converted to it. The yuvj formats would contradict our range. */
+/* Whether frames can be converted to it, by libswscale or encode/palette.h. The yuvj formats would
+ * contradict our range. */
 static bool format_usable(enum AVPixelFormat format)
 {
+    if (format == AV_PIX_FMT_PAL8)
+        return true;
     return sws_isSupportedOutput(format) && strncmp(av_get_pix_fmt_name(format), "yuvj", 4) != 0;
 }
 
@@ -58,7 +61,7 @@ static int padded(int side, int chroma_shift)
 
 static void describe_colors(AVCodecContext *context, const AVPixFmtDescriptor *format)
 {
-    bool rgb = format->flags & AV_PIX_FMT_FLAG_RGB;
+    bool rgb = format->flags & (AV_PIX_FMT_FLAG_RGB | AV_PIX_FMT_FLAG_PAL);
     context->color_range = rgb ? AVCOL_RANGE_JPEG : AVCOL_RANGE_MPEG;
     context->color_primaries = AVCOL_PRI_BT709;
     context->color_trc = rgb ? AVCOL_TRC_IEC61966_2_1 : AVCOL_TRC_BT709;

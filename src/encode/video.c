@@ -8,6 +8,7 @@
 #include "encode/codec.h"
 #include "encode/container.h"
 #include "encode/libav.h"
+#include "encode/palette.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -28,6 +29,7 @@ struct encoder {
     struct image padded;               /* only when a side must be longer */
     AVCodecContext *codec;
     struct SwsContext *convert;
+    struct palette *palette;           /* instead, of a format with one */
     AVFrame *picture;
     AVPacket *packet;
     struct container_file *file;
@@ -44,6 +46,7 @@ static void encoder_free(struct encoder *encoder)
 {
     codec_close(&encoder->codec, encoder->count > 0);
     sws_freeContext(encoder->convert);
+    palette_free(encoder->palette);
     av_frame_free(&encoder->picture);
     av_packet_free(&encoder->packet);
     image_free(&encoder->padded);
@@ -55,24 +58,31 @@ static void encoder_free(struct encoder *encoder)
     memory_free(encoder);
 }
 
-/* Chroma of every pixel where the format has it; dots where it has few colours. */
-static int convert_flags(const AVPixFmtDescriptor *format)
+/* Full-range sRGB, as it is or to limited-range BT.709; libswscale's default would be BT.601. */
+static enum status open_scaler(struct encoder *encoder, struct error *e)
 {
+    int w = encoder->codec->width, h = encoder->codec->height;
     int flags = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_BITEXACT;
+    const int *bt709 = sws_getCoefficients(SWS_CS_ITU709);
+    const AVPixFmtDescriptor *format = av_pix_fmt_desc_get(encoder->codec->pix_fmt);
     if (!format->log2_chroma_w)
-        flags |= SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP;
-    if (av_get_bits_per_pixel(format) <= 8)
-        flags |= SWS_ERROR_DIFFUSION;
-    return flags;
+        flags |= SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP; /* the chroma of every pixel */
+    encoder->convert = sws_getContext(w, h, AV_PIX_FMT_RGBA, w, h, encoder->codec->pix_fmt, flags,
+                                      NULL, NULL, NULL);
+    bool rgb = format->flags & AV_PIX_FMT_FLAG_RGB;
+    if (!encoder->convert ||
+        (!rgb && sws_setColorspaceDetails(encoder->convert, bt709, 1, bt709, 0, 0, 1 << 16,
+                                          1 << 16) < 0))
+        return error_set(e, STATUS_BACKEND, "%s: this libswscale cannot convert to %s in BT.709",
+                         encoder->path, format->name);
+    return STATUS_OK;
 }
 
-/* Full-range sRGB, as it is or to limited-range BT.709; libswscale's default would be BT.601. */
+/* The picture that the codec gets, and what fills it. */
 static enum status open_convert(struct encoder *encoder, struct error *e)
 {
     AVFrame *picture = encoder->picture;
     int w = encoder->codec->width, h = encoder->codec->height;
-    const int *bt709 = sws_getCoefficients(SWS_CS_ITU709);
-    const AVPixFmtDescriptor *format = av_pix_fmt_desc_get(encoder->codec->pix_fmt);
     picture->format = encoder->codec->pix_fmt;
     picture->width = w;
     picture->height = h;
@@ -84,15 +94,11 @@ static enum status open_convert(struct encoder *encoder, struct error *e)
     int code = av_frame_get_buffer(picture, 0);
     if (code < 0)
         return libav_error(e, STATUS_RUN, code, "%s: no memory for a picture", encoder->path);
-    encoder->convert = sws_getContext(w, h, AV_PIX_FMT_RGBA, w, h, picture->format,
-                                      convert_flags(format), NULL, NULL, NULL);
-    bool rgb = format->flags & AV_PIX_FMT_FLAG_RGB;
-    if (!encoder->convert ||
-        (!rgb && sws_setColorspaceDetails(encoder->convert, bt709, 1, bt709, 0, 0, 1 << 16,
-                                          1 << 16) < 0))
-        return error_set(e, STATUS_BACKEND, "%s: this libswscale cannot convert to %s in BT.709",
-                         encoder->path, format->name);
-    return STATUS_OK;
+    if (picture->format != AV_PIX_FMT_PAL8)
+        return open_scaler(encoder, e);
+    encoder->palette = palette_create();
+    return encoder->palette ? STATUS_OK
+                            : error_set(e, STATUS_RUN, "%s: no memory for colours", encoder->path);
 }
 
 /* Opens the codec, or with `codec` NULL looks whether it could be. */
@@ -208,6 +214,34 @@ static enum status encode(struct encoder *encoder, const AVFrame *picture, struc
                        encoder->count);
 }
 
+static void paint(struct palette *palette, const struct image *image, AVFrame *picture)
+{
+    uint32_t colors[PALETTE_SIZE];
+    palette_choose(palette, image, colors);
+    memcpy(picture->data[1], colors, sizeof colors);
+    for (int y = 0; y < image->height; y++) {
+        const uint8_t *from = image->rgba + (size_t)y * (size_t)image->width * 4;
+        uint8_t *to = picture->data[0] + (ptrdiff_t)y * picture->linesize[0];
+        for (int x = 0; x < image->width; x++)
+            to[x] = palette_index(palette, from + 4 * x);
+    }
+}
+
+/* The image in the codec's pixel format. */
+static enum status convert(struct encoder *encoder, const struct image *image, struct error *e)
+{
+    AVFrame *picture = encoder->picture;
+    const uint8_t *rows[4] = {image->rgba};
+    if (encoder->palette) {
+        paint(encoder->palette, image, picture);
+        return STATUS_OK;
+    }
+    int code = sws_scale(encoder->convert, rows, (const int[4]){image->width * 4}, 0,
+                         image->height, picture->data, picture->linesize);
+    return code == image->height ? STATUS_OK : libav_error(e, STATUS_RUN, code, "%s: colour "
+                                                           "conversion failed", encoder->path);
+}
+
 static enum status encode_image(struct encoder *encoder, const struct encode_frame *frame,
                                 struct error *e)
 {
@@ -220,11 +254,8 @@ static enum status encode_image(struct encoder *encoder, const struct encode_fra
     int code = av_frame_make_writable(picture);
     if (code < 0)
         return libav_error(e, STATUS_RUN, code, "%s: no memory for a picture", encoder->path);
-    const uint8_t *rows[4] = {image->rgba};
-    code = sws_scale(encoder->convert, rows, (const int[4]){image->width * 4}, 0, image->height,
-                     picture->data, picture->linesize);
-    if (code != image->height)
-        return libav_error(e, STATUS_RUN, code, "%s: colour conversion failed", encoder->path);
+    if (convert(encoder, image, e))
+        return e->status;
     if (encoder->count++ == 0)
         encoder->first = frame->index;
     picture->pts = frame->index - encoder->first;
