@@ -17,6 +17,8 @@
 #include <fcntl.h>
 #include <libavcodec/avcodec.h>
 #include <math.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 enum { FRAMES = 7 };
 
@@ -55,6 +57,52 @@ static void every_container(void **state)
             assert_string_equal(film.comment, "sph-render 1, scene 5");
         }
         unlink(target.path);
+    }
+}
+
+static const char *const names[] = {"s.webm", "s.mkv", "s.gif", "s.apng", "s.y4m"};
+enum { NAMES = sizeof names / sizeof *names };
+
+/* A file that meets its limit at the header, on the way or only at the end. */
+static void limits_are_caught(void **state)
+{
+    static const rlim_t limits[] = {20, 3000, 30000};
+    struct rlimit limit, old;
+    struct error e;
+    (void)state;
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &old);
+    limit = old;
+    for (int i = 0; i < NAMES * 3; i++) {
+        const char *path = in_directory(names[i / 3]);
+        file_write(path, "earlier");
+        limit.rlim_cur = limits[i % 3];
+        setrlimit(RLIMIT_FSIZE, &limit);
+        enum status status = write_film(target_of(path, 160, 96), NOISE, 12, true, &e);
+        setrlimit(RLIMIT_FSIZE, &old);
+        if (status != STATUS_OUTPUT || !strstr(e.text, "File too large") || !strstr(e.text, path))
+            fail_msg("%s, %d bytes: status %d, %s", path, (int)limit.rlim_cur, status, e.text);
+        assert_true(file_is(path, "earlier"));
+        assert_int_equal(directory_count(), 1);
+        unlink(path);
+    }
+}
+
+static void same_frames_same_file(void **state)
+{
+    struct error e;
+    (void)state;
+    for (int i = 0; i < NAMES; i++) {
+        char command[700], other[300];
+        const char *path = in_directory(names[i]);
+        snprintf(other, sizeof other, "%s-first", path);
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(write_film(target_of(path, 160, 96), MOVING, 20, true, &e), STATUS_OK);
+            if (k == 0)
+                assert_int_equal(rename(path, other), 0);
+        }
+        snprintf(command, sizeof command, "cmp '%s' '%s'", path, other);
+        assert_int_equal(system(command), 0);
     }
 }
 
@@ -229,7 +277,8 @@ static void wishes_are_checked(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_DIRECTORY(every_container), IN_DIRECTORY(keys_are_followed),
+        IN_DIRECTORY(every_container), IN_DIRECTORY(limits_are_caught),
+        IN_DIRECTORY(same_frames_same_file), IN_DIRECTORY(keys_are_followed),
         IN_DIRECTORY(lossless_films),  cmocka_unit_test(palettes_fit_pictures),
         IN_DIRECTORY(y4m_is_plain),
         IN_DIRECTORY(y4m_to_standard_output), IN_DIRECTORY(wishes_are_checked),
