@@ -67,6 +67,30 @@ static void frames_any_box(void **state)
             }
 }
 
+/* A channel is seen from its side, whichever way it runs. */
+static void channels_lie_across(void **state)
+{
+    struct scene scene;
+    struct camera camera;
+    (void)state;
+    for (int axis = 0; axis < 3; axis += 2) {
+        double low = 1, high = -1;
+        fixture_scene(&scene, 1280, 720);
+        for (int k = 0; k < 3; k++)
+            scene.domain.max[k] = k == axis ? 10 : 0.5;
+        camera_make(&camera, &scene, 0, 0);
+        for (int i = 0; i < 8; i++) {
+            double p[3], v[3];
+            camera_corner(&scene, i, 0, p);
+            camera_view(&camera, p, v);
+            low = fmin(low, v[0] / (v[2] * camera.tan_x));
+            high = fmax(high, v[0] / (v[2] * camera.tan_x));
+            assert_true(v[2] > 5); /* m: not along it */
+        }
+        assert_true(high - low > 1.8);
+    }
+}
+
 static void orbit_turns_about_the_target(void **state)
 {
     static const double eye[3] = {2.8, 1.5, 0.4}, target[3] = {0.8, 0.5, 0.4};
@@ -242,6 +266,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_any_box),
+        cmocka_unit_test(channels_lie_across),
         cmocka_unit_test(orbit_turns_about_the_target),
         cmocka_unit_test(orthographic_heights),
         cmocka_unit_test(keyframes_are_met),
