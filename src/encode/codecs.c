@@ -44,7 +44,8 @@ static const struct codec_row av1_aom = {
     .options = {{"cpu-used", "8", false}, {"crf", "28", false}, {"row-mt", "1", false}}};
 
 static const struct codec_row vp9 = {
-    .variant = {.name = "vp9", .doc = "VP9 by libvpx, plays in browsers (webm, mp4, mkv); presets 0 to 8"},
+    .variant = {.name = "vp9", .doc = "VP9 by libvpx, plays in browsers (webm, mp4, mkv); presets "
+                "0 to 8"},
     .encoder = "libvpx-vp9", .threads = 4, .pixel_format = "yuv420p",
     .crf = "crf", .preset = "cpu-used", .tune = "tune",
     .options = {{"cpu-used", "5", false}, {"crf", "24", false}, {"b", "0", false},

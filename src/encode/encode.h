@@ -21,7 +21,7 @@ struct encode_target {
     const char *path;      /* as given to -o */
     int width, height;     /* pixels */
     double fps;
-    bool single;           /* --at: one frame only; x.png is allowed without %d */
+    bool single;           /* one frame only: x.png is allowed without %d */
     const char *title, *comment; /* metadata; NULL: none */
     struct encode_video video;
     const char *const *columns; /* of rows: "time (s)" */

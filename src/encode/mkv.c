@@ -11,7 +11,8 @@ static const struct container container = {
 extern const struct encoder_row encoder_mkv;
 const struct encoder_row encoder_mkv = {
     .variant = {.name = "mkv",
-                .doc = "a film x.mkv, of any movie.codec, lossless too; H.264 by libx264 unless one is said",
+                .doc = "a film x.mkv, of any movie.codec, lossless too; H.264 by libx264 "
+                       "unless one is said",
                 .missing = VIDEO_MISSING},
     .extensions = (const char *const[]){".mkv", NULL},
     .container = &container,

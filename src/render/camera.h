@@ -21,9 +21,10 @@ struct camera {
  * orthographic at x / half_x, y / half_y: from -1 at the left and bottom edge to 1. */
 
 /* The camera at `time` (s). A NAN eye frames the whole domain, seen from the front, a little from
- * the right and above (a deep one more from the right); spheres of `radius` (m) on its faces fit too. Orthographic, the eye is moved
- * back until the domain is in front of it, which changes nothing but z. Whatever is not finite or
- * degenerate in the scene is replaced by something that shows the domain. */
+ * the right and above (a deep one more from the right); spheres of `radius` (m) on its faces fit
+ * too. Orthographic, the eye is moved back until the domain is in front of it, which changes
+ * nothing but z. Whatever is not finite or degenerate in the scene is replaced by something that
+ * shows the domain. */
 void camera_make(struct camera *camera, const struct scene *scene, double radius, double time);
 
 /* Height of text over the picture in pixels, by which its parts are laid out; 0: too small for

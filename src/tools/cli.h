@@ -39,9 +39,9 @@ struct cli_option {
 extern const struct cli_option cli_options[];
 extern const size_t cli_option_count;
 
-enum cli_key { CLI_AT = 256, CLI_SHEET, CLI_CAMERA, CLI_PRINT_CAMERA, CLI_SET, CLI_SIZE, CLI_FPS, CLI_END, CLI_SOLVER, CLI_STRICT, CLI_COLOR,
-               CLI_THREADS, CLI_BACKEND, CLI_GL, CLI_ISA, CLI_CHECK, CLI_PLAN, CLI_REPORT,
-               CLI_WRITE_SCENE };
+enum cli_key { CLI_AT = 256, CLI_SHEET, CLI_CAMERA, CLI_PRINT_CAMERA, CLI_SET, CLI_SIZE, CLI_FPS,
+               CLI_END, CLI_SOLVER, CLI_STRICT, CLI_COLOR, CLI_THREADS, CLI_BACKEND, CLI_GL,
+               CLI_ISA, CLI_CHECK, CLI_PLAN, CLI_REPORT, CLI_WRITE_SCENE };
 
 /* Reads the options of a film; prints help and version itself. STATUS_USAGE in cli->error. */
 enum status cli_parse(struct cli *cli, int argc, char **argv);
