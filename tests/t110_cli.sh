@@ -31,6 +31,22 @@ run 2 "--fps fast" $scene --check --fps fast
 run 2 "--end -1" $scene --check --end -1
 run 2 "--at soon" $scene -o null --at soon
 run 2 "add --end 99" $scene -o null --at 99
+run 2 "--at 1,soon: give a time" $scene -o null --at 1,soon
+run 2 "--at 1,: give a time" $scene -o null --at 1,
+run 2 "--at: the time 0.5 is given twice" $scene -o null --at 0.5,1 --at .5
+run 2 "add --end 9" $scene -o null --at 1,9,2
+run 2 "--sheet 3: write COLUMNSxROWS" $scene -o null --sheet 3
+run 2 "--sheet 0x2: write COLUMNSxROWS" $scene -o null --sheet 0x2
+run 2 "has room for 2 pictures, and --at gives 3 times" $scene -o null --sheet 2x1 --at 0,1,2
+run 2 "did you mean \"camera.fov\"" $scene --check --camera "fvo=20"
+run 2 "--camera eye=3,1: camera.eye must be an array of 3 numbers" $scene --check --camera "eye=3,1"
+run 2 "write for example \"eye=3,1,3 fov=40\"" $scene --check --camera "eye"
+run 0 '"eye": [3, 1, 3], "target"' $scene --print-camera --camera "eye=3,1,3 target=.8,.3,.3 fov=20"
+run 0 '"fov": 20}' $scene --print-camera --camera "eye=3,1,3 target=.8,.3,.3 fov=20"
+run 2 "-o - and -o hash both write to standard output" $scene -o - -o hash
+run 2 "-o - and --write-scene - both write" $scene -o - --write-scene -
+run 2 'did you mean "vp9"' $scene --check --set movie.codec=vp8
+run 0 "libx265" list codecs
 run 2 "--threads -2" $scene --check --threads -2
 run 2 "--threads 1.5" $scene --check --threads 1.5
 run 2 "is given twice" $scene -o null -o null
@@ -88,6 +104,20 @@ bad type 2:39 'domain.max must be an array of 3 numbers, not 1' <<'X'
   "domain": {"min": [0, 0, 0], "max": 1}
 }
 X
+# bad_camera LINE:COLUMN TEXT KEYS: the dam break with that camera, from line 2 on
+bad_camera() {
+    jq -c 'del(.camera)' $scene | sed "s|^{|{ \"camera\": {\n$3},\n|" >"$work/in"
+    bad camera "$1" "$2" <"$work/in"
+}
+bad_camera 2:54 "camera.eye and camera.keyframes" '"keyframes": [{"time": 0, "eye": [3, 1, 3]}], "eye": [1, 2, 3]'
+bad_camera 3:10 "camera.keyframes.1.time 1 s is not after the 2 s" \
+    '"keyframes": [{"time": 2, "eye": [3, 1, 3]},\n{"time": 1, "eye": [3, 1, 3]}]'
+bad_camera 2:34 "camera.keyframes.0.eye is its target" \
+    '"keyframes": [{"time": 2, "eye": [3, 1, 3], "target": [3, 1, 3]}]'
+bad_camera 2:15 '"camera.keyframes.0.eye" is missing' '"keyframes": [{"time": 2}]'
+bad_camera 2:16 'unknown key "camera.keyframes.0.tme"; did you mean "camera.keyframes.0.time"' \
+    '"keyframes": [{"tme": 2}]'
+run 2 "OpenGL draws in perspective only" $scene -o "$work/film.mp4" --set camera.projection=orthographic
 printf '\357\273\277{}' >"$work/in"
 bad bom 1:1 "the file begins with a byte order mark" <"$work/in"
 printf '{"title": "\0"}' >"$work/in"

@@ -178,7 +178,7 @@ static void refuses(void **state)
     text = SCENE(CLOSED, "\"solver\": {\"method\": \"wcsph\", \"sound_speed\": 0.1},", POOL);
     w.scene = load(text, NULL);
     e = (struct error){0};
-    w.options = (struct run_options){.at = NAN, .threads = 1};
+    w.options = (struct run_options){.threads = 1};
     assert_int_equal(plan_make(&w.plan, w.scene, &w.options, &e), STATUS_OK);
     assert_int_equal(simulation_open(&w.simulation, &w.plan, &w.options, &e), STATUS_USAGE);
     assert_non_null(strstr(e.text, "raise solver.sound_speed"));

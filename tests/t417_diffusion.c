@@ -266,7 +266,7 @@ static void refused(const char *name, const char *text, const char *at, const ch
 {
     struct scene *scene;
     struct error e = {0};
-    struct run_options options = {.at = NAN};
+    struct run_options options = {.threads = 0};
     if (scene_from_text(&scene, text, strlen(text), NULL, &run_vocabulary, &e) == STATUS_OK) {
         assert_int_equal(plan_check(scene, &options, &e), STATUS_USAGE);
         scene_free(scene);

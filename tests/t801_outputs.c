@@ -27,6 +27,10 @@ static void names_choose_encoders(void **state)
     assert_string_equal(encode_find("a/b.mp4", &e)->variant.name, "mp4");
     assert_string_equal(encode_find("B.MP4", &e)->variant.name, "mp4");
     assert_string_equal(encode_find("x-%04d.png", &e)->variant.name, "png");
+    assert_string_equal(encode_find("x.mkv", &e)->variant.name, "mkv");
+    assert_string_equal(encode_find("-", &e)->variant.name, "y4m");
+    assert_true(encode_is_file(encode_find("x.y4m", &e), "x.y4m"));
+    assert_false(encode_is_file(encode_find("-", &e), "-"));
     assert_string_equal(encode_find("null", &e)->variant.name, "null");
     assert_string_equal(encode_find("hash", &e)->variant.name, "hash");
     assert_false(encode_find("null", &e)->wants_pixels);
@@ -44,7 +48,8 @@ static void unknown_names_list_the_known(void **state)
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         assert_null(encode_find(names[i], &e));
         assert_int_equal(e.status, STATUS_USAGE);
-        assert_non_null(strstr(e.text, "NAME.mp4, NAME.png, NAME.csv, hash, null"));
+        assert_non_null(strstr(e.text, "NAME.mp4, NAME.webm"));
+        assert_non_null(strstr(e.text, "NAME.png, NAME.csv, hash, null"));
     }
 }
 

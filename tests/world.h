@@ -35,7 +35,7 @@ world_open_on(struct world *w, const char *isa, int threads, const char *format,
     va_end(arguments);
     assert_in_range(length, 1, sizeof text - 1);
     memset(w, 0, sizeof *w);
-    w->options = (struct run_options){.at = NAN, .threads = threads, .isa = isa};
+    w->options = (struct run_options){.threads = threads, .isa = isa};
     struct error *e = &w->error;
     if (scene_from_text(&w->scene, text, (size_t)length, NULL, &run_vocabulary, e) ||
         plan_make(&w->plan, w->scene, &w->options, e) ||

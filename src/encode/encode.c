@@ -8,11 +8,17 @@
 #include <string.h>
 #include <strings.h>
 
-extern const struct encoder_row encoder_mp4, encoder_png, encoder_csv, encoder_hash, encoder_null,
+extern const struct encoder_row encoder_mp4, encoder_webm, encoder_mkv, encoder_gif, encoder_apng,
+    encoder_y4m, encoder_png, encoder_csv, encoder_hash, encoder_null,
     encoder_reference;
 
 static const struct encoder_row *const encoders[] = {
     &encoder_mp4,
+    &encoder_webm,
+    &encoder_mkv,
+    &encoder_gif,
+    &encoder_apng,
+    &encoder_y4m,
     &encoder_png,
     &encoder_csv,
     &encoder_hash,
@@ -23,6 +29,11 @@ enum { ENCODER_COUNT = sizeof encoders / sizeof encoders[0] };
 
 static const struct variant *const variants[ENCODER_COUNT] = {
     &encoder_mp4.variant,
+    &encoder_webm.variant,
+    &encoder_mkv.variant,
+    &encoder_gif.variant,
+    &encoder_apng.variant,
+    &encoder_y4m.variant,
     &encoder_png.variant,
     &encoder_csv.variant,
     &encoder_hash.variant,
@@ -56,9 +67,9 @@ static const char *const *known_extension(const struct encoder_row *row, const c
     return NULL;
 }
 
-bool encode_is_file(const struct encoder_row *row)
+bool encode_is_file(const struct encoder_row *row, const char *path)
 {
-    return row->extensions[0][0] == '.';
+    return **known_extension(row, path) == '.';
 }
 
 const struct encoder_row *encode_find(const char *path, struct error *e)
@@ -94,7 +105,7 @@ enum status encode_check(const struct encode_target *target, struct error *e)
                          target->path, target->fps);
     if (row->check && row->check(target, e))
         return e->status;
-    if (encode_is_file(row))
+    if (encode_is_file(row, target->path))
         return output_check(target->path, e);
     return STATUS_OK;
 }

@@ -18,12 +18,21 @@ struct encode_reference {
     bool update;              /* accept the frames instead of comparing them */
 };
 
+/* How a film is compressed (movie.codec and so on); NULL: as suits its codec. */
+struct encode_video {
+    const char *codec;        /* row of the table "codecs" */
+    const char *crf, *preset, *tune;
+    const char *pixel_format; /* as libavutil calls it */
+    const char *options;      /* of the codec: "key=value key=value" */
+};
+
 struct encode_target {
     const char *path;      /* as given to -o */
     int width, height;     /* pixels */
     double fps;
-    bool single;           /* --at: one frame only; x.png is allowed without %d */
-    const char *title;     /* metadata */
+    bool single;           /* one frame only: x.png is allowed without %d */
+    const char *title, *comment; /* metadata; NULL: none */
+    struct encode_video video;
     const char *const *columns; /* of rows: "time (s)" */
     size_t column_count;
     long frame_count;           /* of the whole film; an interrupted one has fewer */
@@ -38,10 +47,12 @@ struct encode_frame {
 };
 
 struct encoder; /* each encoder's own state */
+struct container; /* encode/container.h */
 
 struct encoder_row {
     struct variant variant;
     const char *const *extensions; /* ".mp4", NULL-terminated; or the whole word "null", "hash" */
+    const struct container *container; /* of a film; else NULL */
     bool wants_pixels;             /* false: the run may skip drawing altogether */
     bool wants_rows;               /* of measured numbers, by `row` */
     /* What only this encoder can say about a target before the run; writes nothing. May be NULL. */
@@ -57,13 +68,14 @@ struct encoder_row {
     enum status (*close)(struct encoder *, bool keep, struct error *);
 };
 
-extern const struct variant_table encode_table; /* "encoders": mp4, png, csv, hash, null, reference */
+/* "encoders": mp4, webm ... png, csv, hash, null, reference */
+extern const struct variant_table encode_table;
 
 /* The row for an output name, or NULL with STATUS_USAGE naming the known extensions. */
 const struct encoder_row *encode_find(const char *path, struct error *e);
 
-/* Does the row write files, as against a name like "null" that stands for itself? */
-bool encode_is_file(const struct encoder_row *row);
+/* Does the row write a file of that name, as against a name like "null" that stands for itself? */
+bool encode_is_file(const struct encoder_row *row, const char *path);
 
 /* Checks before the run, without writing: directory exists and is writable, pattern is right,
  * encoder is in this build. */

@@ -16,13 +16,14 @@ static void map_color(const uint8_t map[MAP_SIZE][3], double place, uint8_t rgb[
 
 /* The samples first..end - 1 whose rays may meet the sphere along one axis: what is within the tangents
  * from the eye, and one more; `half` is half the picture's samples per tangent, of either sign. */
-static inline void extent(float center, float z, float radius, float half, int count,
+static inline void extent(float center, float z, float radius, bool parallel, float half, int count,
                           uint16_t *first, uint16_t *end)
 {
     float under = z * z - radius * radius, most = (float)count, a = 0, b = most;
-    if (z > radius * 1.01F) {
-        float reach = radius * sqrtf(center * center + under), scale = half / under;
-        float low = (center * z - reach) * scale, high = (center * z + reach) * scale;
+    if (parallel || z > radius * 1.01F) {
+        float reach = parallel ? radius : radius * sqrtf(center * center + under);
+        float scale = parallel ? half : half / under, middle = parallel ? center : center * z;
+        float low = (middle - reach) * scale, high = (middle + reach) * scale;
         a = (low < high ? low : high) + 0.5F * most - 1;
         b = (low < high ? high : low) + 0.5F * most + 1;
     }
@@ -41,11 +42,11 @@ static void ball_make(const struct ball_view *v, const struct render_frame *fram
                           (float)(x * f[0] + y * f[1] + z * f[2]), {0}, 0, 0, 0, 0};
     float radius = (float)v->radius;
     float distance2 = ball->x * ball->x + ball->y * ball->y + ball->z * ball->z;
-    if (!(ball->z > 0 && distance2 > radius * radius && distance2 < 1e30F))
+    if (!(ball->z > 0 && (distance2 > radius * radius || v->camera->orthographic) && distance2 < 1e30F))
         return;
     const struct color_scale *scale = frame->scale ? frame->scale : &v->setup->scale;
-    extent(ball->x, ball->z, radius, v->half[0], v->width, &ball->left, &ball->right);
-    extent(ball->y, ball->z, radius, v->half[1], v->height, &ball->top, &ball->bottom);
+    extent(ball->x, ball->z, radius, v->camera->orthographic, v->half[0], v->width, &ball->left, &ball->right);
+    extent(ball->y, ball->z, radius, v->camera->orthographic, v->half[1], v->height, &ball->top, &ball->bottom);
     if (v->setup->solid)
         memcpy(ball->rgb, frame->color + 4 * i, 3);
     else

@@ -34,7 +34,7 @@ static int bound(double x, int count)
 }
 
 /* False where the triangle has no area. */
-static bool blend_make(const struct wire_layer *layer, const float (*vertex)[4], int width, int height,
+static bool blend_make(const struct wire_layer *layer, bool parallel, const float (*vertex)[4], int width, int height,
                        struct blend *out)
 {
     double p[3][2], low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -53,7 +53,7 @@ static bool blend_make(const struct wire_layer *layer, const float (*vertex)[4],
     if (!(fabs(area) > 0) || !isfinite(area))
         return false;
     *out = (struct blend){.half_width = layer->half_width, .cover = layer->color[3],
-                          .behind = layer->behind,
+                          .behind = layer->behind, .parallel = parallel,
                           .left = bound(low[0], width), .right = bound(high[0] + 1, width),
                           .top = bound(low[1], height), .bottom = bound(high[1] + 1, height)};
     memcpy(out->color, layer->color, 3 * sizeof *out->color);
@@ -71,7 +71,7 @@ size_t blends_make(const struct wire *wire, int width, int height, struct blend 
     for (size_t k = 0; k < wire->count; k++) {
         const struct wire_layer *layer = &wire->layers[k];
         for (size_t i = 0; i + 3 <= layer->count; i += 3)
-            count += blend_make(layer, (const float (*)[4])(layer->vertex + i), width, height,
+            count += blend_make(layer, wire->parallel, (const float (*)[4])(layer->vertex + i), width, height,
                                 &blends[count]);
     }
     return count;

@@ -99,9 +99,9 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
 static void rays_make(struct canvas *c, const struct camera *camera)
 {
     for (int x = 0; x < c->width; x++)
-        c->ray_x[x] = (float)(((x + 0.5) / c->width * 2 - 1) * camera->tan_x);
+        c->ray_x[x] = (float)(((x + 0.5) / c->width * 2 - 1) * camera_half_x(camera));
     for (int y = 0; y < c->height; y++)
-        c->ray_y[y] = (float)((1 - (y + 0.5) / c->height * 2) * camera->tan_y);
+        c->ray_y[y] = (float)((1 - (y + 0.5) / c->height * 2) * camera_half_y(camera));
 }
 
 /* Tile i of the picture, without its contents. */
@@ -202,7 +202,8 @@ static double surface_prepare(struct canvas *c, const struct camera *camera)
     double radius = 1.7 * c->setup.radius, side = 0;
     for (int a = 0; a < 3; a++)
         side = fmax(side, scene->domain.max[a] - scene->domain.min[a]);
-    surface_scale(&c->surface, radius, scene->particles.spacing, c->height / 2.0 / camera->tan_y);
+    surface_scale(&c->surface, radius, scene->particles.spacing, c->height / 2.0 / camera_half_y(camera));
+    c->surface.parallel = camera->orthographic;
     c->surface.clarity = (float)(side / SURFACE_LENGTHS);
     c->surface.opaque = !c->setup.solid;
     return radius;
@@ -216,14 +217,15 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     const double radius = c->has_surface ? surface_prepare(c, camera) : c->setup.radius;
     struct wire wire = {.count = 0};
     struct blend blends[BLENDS_MAX];
-    struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, .lens = 1, .radius = (float)radius,
+    struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, 
+                          .lens = camera->orthographic ? 0 : 1, .radius = (float)radius,
                           .look = look_make(scene->render.outline), .blends = blends,
                           .samples = c->samples, .rgba = image->rgba,
                           .pitch = (size_t)image->width};
     struct ball_view view = {.camera = camera, .radius = radius, .width = c->width,
                              .height = c->height, .tile = TILE / c->samples * c->samples,
-                             .half = {(float)(c->width / 2.0 / camera->tan_x),
-                                      (float)(-c->height / 2.0 / camera->tan_y)},
+                             .half = {(float)(c->width / 2.0 / camera_half_x(camera)),
+                                      (float)(-c->height / 2.0 / camera_half_y(camera))},
                              .threads = c->threads, .setup = &c->setup};
     background_make(c, &splat);
     rays_make(c, camera);

@@ -128,9 +128,14 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     if (!r)
         return error_set(e, STATUS_RUN, "out of memory");
     r->setup = *setup;
-    if (strcmp(setup->scene->render.style, "surface") == 0) {
+    const char *cannot = NULL;
+    if (strcmp(setup->scene->render.style, "surface") == 0)
+        cannot = "render.style surface";
+    if (setup->scene->camera.projection == PROJECTION_ORTHOGRAPHIC)
+        cannot = "camera.projection orthographic";
+    if (cannot) {
         free(r);
-        return error_set(e, STATUS_BACKEND, "render.style surface is drawn by --renderer cpu only");
+        return error_set(e, STATUS_BACKEND, "%s is drawn by --renderer cpu only", cannot);
     }
     r->row = row->context;
     r->width = setup->scene->movie.size[0];

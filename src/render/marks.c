@@ -50,7 +50,8 @@ void marks_bar_draw(const struct ink *ink, const struct scene *scene, const stru
 {
     double distance = target_distance(scene, camera), cap = ink->size * 0.3;
     double right = floor(box->x + box->width) - 0.5, y = floor(box->y + box->height - cap) - 0.5;
-    double pixels = camera->height / (2 * camera->tan_y * distance); /* of a metre */
+    double reach = camera->orthographic ? 1 : distance;
+    double pixels = camera->height / (2 * camera_half_y(camera) * reach); /* of a metre */
     char text[64];
     if (!(distance > 0) || !isfinite(pixels))
         return;

@@ -29,9 +29,10 @@ struct ball {
 struct blend {
     double edge[3][3];
     bool owns[3];
-    double inverse[3], across[3]; /* 1 / distance; samples across the line: a + b x + c y */
+    double inverse[3], across[3]; /* 1 / distance (if parallel, distance); samples across the line: a + b x + c y */
     float half_width;             /* of a line; 0: a face */
     float color[4], cover;
+    bool parallel;
     bool behind;                  /* where a sphere is in front, not where it is nearer */
     int left, right, top, bottom; /* right and bottom are not in */
 };

@@ -224,12 +224,13 @@ static inline void span_blend(const struct blend *b, struct tile *tile, int plan
     const float side = (float)(b->across[0] + b->across[2] * py + b->across[1] * px);
     const float near_x = (float)b->inverse[1], side_x = (float)b->across[1], cover = b->cover;
     const float half = b->half_width > 0 ? b->half_width + 0.5F : INFINITY;
-    const float sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
+    const float parallel = b->parallel ? 1 : 0, sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
     const float *restrict seen = tile->depth[y];
     float part[TILE];
 #pragma omp simd
     for (int i = x; i < end; i++) {
-        float depth = 1 / (near + near_x * (float)i), apart = sign * (seen[i] - depth);
+        float value = near + near_x * (float)i, depth = parallel > 0 ? value : 1 / value;
+        float apart = sign * (seen[i] - depth);
         float soft = half - fabsf(side + side_x * (float)i);
         soft = soft < 0 ? 0 : soft;
         soft = soft > 1 ? 1 : soft;

@@ -18,7 +18,8 @@ struct surface {
     float *depth, *other;     /* INFINITY: nothing; each with SURFACE_PAD around the picture */
     float *thickness;         /* m */
     uint32_t *ball;           /* the sphere in front; UINT32_MAX: none */
-    float reach;              /* samples of the filter's reach, times distance, m */
+    float reach;              /* samples of the filter's reach, times distance, m, unless parallel */
+    bool parallel;            /* orthographic */
     float far, step;          /* m */
     float volume;             /* of a particle / that of its sphere */
     float clarity;            /* m in which light decays by a factor e for a colour that is 0 */

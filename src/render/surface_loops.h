@@ -53,7 +53,7 @@ static inline int chunk_reach(const struct surface *f, const float *depth)
     float least = INFINITY;
     for (int l = 0; l < CHUNK; l++)
         least = depth[l] < least ? depth[l] : least;
-    float reach = f->reach / least;
+    float reach = f->parallel ? f->reach : f->reach / least;
     return !(least < INFINITY) ? 0 : reach < 1 ? 1 : reach < SURFACE_PAD ? (int)reach : SURFACE_PAD;
 }
 
@@ -98,15 +98,17 @@ static inline void surface_normal(const struct splat *s, const struct surface *f
     float dx = fabsf(right) < fabsf(left) ? right : left, dy = fabsf(below) < fabsf(above) ? below : above;
     dx = fabsf(dx) < f->far ? dx : 0;
     dy = fabsf(dy) < f->far ? dy : 0;
-    float across = s->ray_x[x + 1] - rx, down = s->ray_y[y] - s->ray_y[y > 0 ? y - 1 : 1];
+    float lens = s->lens, scale = lens * z + (1 - lens), across = s->ray_x[x + 1] - rx;
+    float down = s->ray_y[y] - s->ray_y[y > 0 ? y - 1 : 1];
     down = y > 0 ? down : -down;
-    float u[3] = {across * z + rx * dx, ry * dx, dx}, v[3] = {rx * dy, down * z + ry * dy, dy};
+    float u[3] = {across * scale + lens * rx * dx, lens * ry * dx, dx};
+    float v[3] = {lens * rx * dy, down * scale + lens * ry * dy, dy};
     n[0] = u[1] * v[2] - u[2] * v[1];
     n[1] = u[2] * v[0] - u[0] * v[2];
     n[2] = -(u[0] * v[1] - u[1] * v[0]);
-    float scale = 1 / sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    float unit = 1 / sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     for (int k = 0; k < 3; k++)
-        n[k] *= scale;
+        n[k] *= unit;
 }
 
 /* About exp(-x). */
@@ -128,7 +130,7 @@ static inline void surface_sample(const struct splat *s, const struct surface *f
                                   const float behind[3], float out[3])
 {
     const struct look *look = &s->look;
-    float n[3], rx = s->ray_x[x], ry = s->ray_y[y], length = 1 / sqrtf(rx * rx + ry * ry + 1);
+    float n[3], rx = s->lens * s->ray_x[x], ry = s->lens * s->ray_y[y], length = 1 / sqrtf(rx * rx + ry * ry + 1);
     surface_normal(s, f, x, y, n);
     float facing = (n[2] - n[0] * rx - n[1] * ry) * length;
     facing = facing > 0 ? facing : 0;

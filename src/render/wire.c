@@ -15,9 +15,10 @@ static void cut(const double a[3], const double b[3], double near, double out[3]
 
 static void project(const struct camera *camera, const double view[3], float out[4])
 {
-    out[0] = (float)(view[0] / (view[2] * camera->tan_x));
-    out[1] = (float)(view[1] / (view[2] * camera->tan_y));
-    out[2] = (float)(1 / view[2]);
+    double scale = camera->orthographic ? 1 : view[2];
+    out[0] = (float)(view[0] / (scale * camera_half_x(camera)));
+    out[1] = (float)(view[1] / (scale * camera_half_y(camera)));
+    out[2] = (float)(camera->orthographic ? view[2] : 1 / view[2]);
     out[3] = 0;
 }
 
@@ -155,6 +156,7 @@ void wire_make(struct wire *w, const struct scene *scene, const struct camera *c
     drawn.width *= samples;
     drawn.height *= samples;
     w->count = 0;
+    w->parallel = camera->orthographic;
     if (floor_corners(scene, camera, corner)) {
         count = face_make(&drawn, near, corner, w->floor);
         layer_add(w, w->floor, count, 0, ink, 0.07F, false);

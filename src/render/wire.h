@@ -11,7 +11,7 @@ enum { EDGE_COUNT = 12, LINE_VERTICES = 6, FACE_VERTICES = 3 * (5 - 2), WIRE_LAY
 
 /* Triangles that are blended over the spheres, one layer after another. */
 struct wire_layer {
-    float (*vertex)[4]; /* x, y in -1..1, y upwards; 1 / distance; signed drawn pixels across the line */
+    float (*vertex)[4]; /* x, y in -1..1, y upwards; 1 / distance (see parallel); signed drawn pixels across the line */
     size_t count;       /* three of each triangle */
     float half_width;   /* of a line with soft sides, drawn pixels; 0: a face */
     float color[4];     /* and its cover, 0..1 */
@@ -22,6 +22,7 @@ struct wire {
     float floor[FACE_VERTICES][4], edges[EDGE_COUNT * LINE_VERTICES][4];
     struct wire_layer layers[WIRE_LAYERS];
     size_t count;
+    bool parallel; /* orthographic: distance instead of its inverse, so that it is linear in the picture */
 };
 
 /* `far` m is farther than all that is drawn, `samples` the pixels drawn per pixel shown, in x. */

@@ -6,6 +6,7 @@
 #include "base/output.h"
 #include "base/queue.h"
 #include "encode/encode.h"
+#include "render/sheet.h"
 #include "scene/scene.h"
 
 #include <pthread.h>
@@ -34,6 +35,7 @@ struct film {
 
     struct film_snapshot snapshots[FILM_SNAPSHOTS];
     struct picture pictures[FILM_IMAGES];
+    struct sheet *sheet;      /* that pictures go into, or NULL */
     struct queue snapshots_idle, snapshots_ready, pictures_idle, pictures_ready;
     pthread_t drawer, encoder;
     bool drawing, encoding;   /* threads to join */
@@ -82,21 +84,29 @@ static enum status encode_frame(struct film *film, const struct encode_frame *fr
     return STATUS_OK;
 }
 
+/* A sheet is the only frame, once no more pictures come. */
 static void *encode_thread(void *argument)
 {
     struct film *film = argument;
     struct picture *picture;
     struct error e;
+    struct encode_frame frame = {.image = NULL};
     while ((picture = queue_pop(&film->pictures_ready))) {
-        if (!atomic_load(&film->dropped)) {
-            struct encode_frame frame = {picture->index, picture->time, &picture->image,
-                                         picture->state_hash};
-            double start = clock_seconds();
-            if (encode_frame(film, &frame, &e))
-                film_fail(film, &e);
-            film->times.encode += clock_seconds() - start;
-        }
+        double start = clock_seconds();
+        frame = (struct encode_frame){picture->index, picture->time, &picture->image,
+                                      picture->state_hash};
+        if (film->sheet)
+            sheet_add(film->sheet, picture->time, &picture->image);
+        else if (!atomic_load(&film->dropped) && encode_frame(film, &frame, &e))
+            film_fail(film, &e);
+        film->times.encode += clock_seconds() - start;
         queue_push(&film->pictures_idle, picture);
+    }
+    if (film->sheet && frame.image && !atomic_load(&film->dropped)) {
+        frame.index = 0;
+        frame.image = sheet_image(film->sheet);
+        if (encode_frame(film, &frame, &e))
+            film_fail(film, &e);
     }
     return NULL;
 }
@@ -166,13 +176,18 @@ static void *draw_thread(void *argument)
 static struct encode_target target_of(const struct film_setup *setup, size_t output)
 {
     const struct scene *scene = setup->scene;
+    int size[2] = {scene->movie.size[0], scene->movie.size[1]};
+    if (setup->sheet[0])
+        sheet_size(scene, setup->sheet, size);
     return (struct encode_target){
         .path = setup->outputs[output],
-        .width = scene->movie.size[0],
-        .height = scene->movie.size[1],
+        .width = size[0],
+        .height = size[1],
         .fps = scene->movie.fps,
         .single = setup->single,
         .title = scene->title,
+        .comment = setup->comment,
+        .video = setup->video,
         .columns = setup->columns,
         .column_count = setup->column_count,
         .frame_count = setup->frame_count,
@@ -225,7 +240,8 @@ static enum status open_output(struct output *output, const struct film_setup *s
     output->row = encode_find(target.path, e);
     if (!output->row)
         return e->status;
-    if (encode_is_file(output->row) && output_claim(&output->claim, target.path, e))
+    if (encode_is_file(output->row, target.path) &&
+        output_claim(&output->claim, target.path, e))
         return e->status;
     if (output->row->open(&output->encoder, &target, e)) {
         output_release(&output->claim);
@@ -272,8 +288,10 @@ static enum status open_drawing(struct film *film, struct error *e)
 
 static enum status open_pictures(struct film *film, struct error *e)
 {
-    const int *size = film->setup.scene->movie.size;
-    for (size_t i = 0; i < (film->setup.single ? 1 : FILM_IMAGES); i++) {
+    const int *size = film->setup.scene->movie.size, *sheet = film->setup.sheet;
+    if (sheet[0] && sheet_open(&film->sheet, film->setup.render, sheet, e))
+        return e->status;
+    for (size_t i = 0; i < (film->setup.single && !sheet[0] ? 1 : FILM_IMAGES); i++) {
         if (image_create(&film->pictures[i].image, size[0], size[1], e))
             return e->status;
         queue_push(&film->pictures_idle, &film->pictures[i]);
@@ -421,6 +439,7 @@ static void film_free(struct film *film)
         snapshot_release(&film->snapshots[i]);
     for (size_t i = 0; i < FILM_IMAGES; i++)
         image_free(&film->pictures[i].image);
+    sheet_close(film->sheet);
     queue_destroy(&film->snapshots_idle);
     queue_destroy(&film->snapshots_ready);
     queue_destroy(&film->pictures_idle);

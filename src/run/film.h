@@ -9,6 +9,7 @@
 #define RUN_FILM_H
 
 #include "base/error.h"
+#include "encode/encode.h"
 #include "render/render.h"
 
 #include <stdbool.h>
@@ -27,7 +28,10 @@ struct film_setup {
     const struct render_setup *render; /* may be NULL when no output wants pixels */
     const char *const *outputs;        /* as given to -o */
     size_t output_count;
-    bool single;                       /* --at: one frame only */
+    bool single;                       /* one frame only */
+    int sheet[2];                      /* columns and rows of pictures in one frame; 0: none */
+    const char *comment;               /* about the film, in its file; may be NULL */
+    struct encode_video video;         /* how films are compressed */
     const char *const *columns;        /* of measured rows; NULL when no output wants rows */
     size_t column_count;
     long frame_count;                  /* of the whole film */

@@ -7,6 +7,7 @@
 #include "run/frame.h"
 #include "run/report.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <omp.h>
 #include <signal.h>
@@ -23,12 +24,14 @@ static void on_interrupt(int signal_number)
         _exit(STATUS_INTERRUPTED);
 }
 
-/* Chosen times: number k is at start + k * step, up to and with the end. */
+/* Chosen times: number k is at start + k * step, or of a list. */
 struct schedule {
-    double start, step; /* s */
+    const double *times; /* s; NULL: start and step count */
+    double start, step;  /* s */
     long count, done;
 };
 
+/* Up to and with the end. */
 static struct schedule schedule_make(double start, double step, double end)
 {
     struct schedule s = {.start = start, .step = step};
@@ -38,10 +41,24 @@ static struct schedule schedule_make(double start, double step, double end)
     return s;
 }
 
+/* `count` times equally far apart, from the start to the end; one is the end. */
+static struct schedule schedule_spread(double start, double end, long count)
+{
+    if (count == 1)
+        return (struct schedule){.start = end, .count = 1};
+    return (struct schedule){.start = start, .step = (end - start) / (double)(count - 1),
+                             .count = count};
+}
+
+static double schedule_time(const struct schedule *s, long k)
+{
+    return s->times ? s->times[k] : s->start + (double)k * s->step;
+}
+
 /* The next time that is not done; INFINITY when all are. */
 static double schedule_next(const struct schedule *s)
 {
-    return s->done < s->count ? s->start + (double)s->done * s->step : (double)INFINITY;
+    return s->done < s->count ? schedule_time(s, s->done) : (double)INFINITY;
 }
 
 struct session {
@@ -53,15 +70,21 @@ struct session {
     double end; /* s */
 };
 
-/* Frames from movie.start on, rows from 0 on; with --at one of each. */
-static void session_schedule(struct session *x, const struct scene *scene, double at)
+/* Frames from movie.start on, rows from 0 on; of pictures at single times one row each. */
+static void session_schedule(struct session *x, const struct scene *scene,
+                             const struct run_options *options)
 {
-    bool film = isnan(at);
-    x->end = film ? scene->time.end : at;
-    x->frames = schedule_make(film ? scene->movie.start : at,
-                              scene->movie.speed / scene->movie.fps, x->end);
+    double start = scene->movie.start, end = scene->time.end;
+    bool film = !options->time_count && !options->sheet[0];
+    if (film)
+        x->frames = schedule_make(start, scene->movie.speed / scene->movie.fps, end);
+    else if (options->time_count)
+        x->frames = (struct schedule){.times = options->times, .count = (long)options->time_count};
+    else
+        x->frames = schedule_spread(start, end, (long)options->sheet[0] * options->sheet[1]);
+    x->end = film ? end : schedule_time(&x->frames, x->frames.count - 1);
     if (x->plan.measures.count)
-        x->rows = schedule_make(film ? 0 : at, x->plan.measures.interval, x->end);
+        x->rows = film ? schedule_make(0, x->plan.measures.interval, end) : x->frames;
 }
 
 static enum status advance(struct session *x, double target, struct error *e)
@@ -134,6 +157,24 @@ static enum status run_times(struct session *x, struct error *e)
     return advance(x, x->end, e);
 }
 
+/* NULL leaves it to the codec. */
+static const char *said(const char *text)
+{
+    return strcmp(text, "auto") == 0 || !text[0] ? NULL : text;
+}
+
+/* `crf` is room for the number as text. */
+static struct encode_video video_options(const struct scene *scene, char crf[32])
+{
+    snprintf(crf, 32, "%g", scene->movie.crf);
+    return (struct encode_video){.codec = said(scene->movie.codec),
+                                 .crf = isnan(scene->movie.crf) ? NULL : crf,
+                                 .preset = said(scene->movie.preset),
+                                 .tune = said(scene->movie.tune),
+                                 .pixel_format = said(scene->movie.pixel_format),
+                                 .options = said(scene->movie.options)};
+}
+
 static enum status film_start(struct session *x, const struct run_options *options,
                               struct error *e)
 {
@@ -160,13 +201,19 @@ static enum status film_start(struct session *x, const struct run_options *optio
     }
     static struct render_setup kept; /* the film keeps a pointer to it */
     kept = render;
+    char crf[32], comment[100];
+    snprintf(comment, sizeof comment, "sph-render %s, scene %016" PRIx64, SPH_VERSION,
+             scene_hash(scene, &run_vocabulary));
     struct film_setup setup = {.scene = scene,
+                               .comment = comment,
+                               .video = video_options(scene, crf),
                                .render = plan->draws ? &kept : NULL,
                                .outputs = options->outputs,
                                .output_count = options->output_count,
                                .columns = plan->measures.columns,
                                .column_count = plan->measures.column_count,
-                               .single = !isnan(options->at),
+                               .sheet = {options->sheet[0], options->sheet[1]},
+                               .single = options->time_count == 1 || options->sheet[0],
                                .frame_count = x->frames.count,
                                .reference = options->reference};
     return film_open(&x->film, &setup, e);
@@ -293,7 +340,7 @@ enum status run_scene(const struct scene *scene, const struct run_options *optio
     if (plan_make(&x.plan, scene, options, e))
         return e->status;
     run_warn_threads(options->threads);
-    session_schedule(&x, scene, options->at);
+    session_schedule(&x, scene, options);
     catch_signals(true);
     session_run(&x, options, e);
     catch_signals(false);

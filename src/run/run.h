@@ -14,7 +14,9 @@ struct encode_reference;
 struct run_options {
     const char *const *outputs; /* -o, in order */
     size_t output_count;
-    double at;                  /* --at T, s: one frame, the state at exactly T; NAN: a film */
+    const double *times;        /* --at, s, ascending: frames of exactly these states, no film */
+    size_t time_count;          /* 0: a film, or with a sheet times equally far apart */
+    int sheet[2];               /* columns and rows of pictures in one frame; 0: none */
     int threads;                /* 0: all processors */
     bool strict;                /* a step shorter than time.step is an error */
     const char *backend;        /* row of the table "backends", or "auto" */

@@ -2,6 +2,7 @@
 #include "backend/backend.h"
 #include "backend/cpu/isa.h"
 #include "compare/gate.h"
+#include "encode/codec.h"
 #include "encode/encode.h"
 #include "grid/search.h"
 #include "particles/flows.h"
@@ -15,6 +16,7 @@ static const struct variant_table *const tables[] = {
     &solver_table,    &kernel_table,   &search_table, &backend_table, &isa_table,
     &render_table, &encode_table,   &color_table,  &render_maps,
     &render_overlays, &measure_table,  &flow_table,   &metric_table,  &gate_table,
+    &codec_table,
 };
 
 const struct vocabulary run_vocabulary = {tables, sizeof tables / sizeof *tables};

@@ -1,4 +1,4 @@
-/* Checks what single keys cannot know: faces, fluids, times, camera, amounts. */
+/* Checks what single keys cannot know: faces, fluids, times, amounts. */
 #include "base/suggest.h"
 #include "scene/load.h"
 
@@ -119,37 +119,6 @@ static enum status check_times(struct load *load)
     if (frames > frame_limit)
         return load_fail(load, load_place(load, "time.end"), "the film would have %.3g frames; "
                          "lower time.end or movie.fps, or raise movie.speed", frames);
-    return STATUS_OK;
-}
-
-static double length(const double v[3])
-{
-    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-static enum status check_camera(struct load *load)
-{
-    const struct scene *s = load->scene;
-    const double *up = s->camera.up;
-    double view[3], across[3];
-    if (!(length(up) > 0))
-        return load_fail(load, load_place(load, "camera.up"), "camera.up has no direction; the "
-                         "usual one is [0, 1, 0]");
-    if (isnan(s->camera.eye[0]))
-        return STATUS_OK;
-    for (int a = 0; a < 3; a++) {
-        double middle = (s->domain.min[a] + s->domain.max[a]) / 2;
-        double target = isnan(s->camera.target[0]) ? middle : s->camera.target[a];
-        view[a] = target - s->camera.eye[a];
-    }
-    if (!(length(view) > 0))
-        return load_fail(load, load_place(load, "camera.eye"), "camera.eye is its target; move it "
-                         "away");
-    for (int a = 0; a < 3; a++)
-        across[a] = view[(a + 1) % 3] * up[(a + 2) % 3] - view[(a + 2) % 3] * up[(a + 1) % 3];
-    if (length(across) < 1e-6 * length(view) * length(up))
-        return load_fail(load, load_place(load, "camera.up"), "camera.up points along the view; "
-                         "choose another direction, for example [0, 0, 1]");
     return STATUS_OK;
 }
 

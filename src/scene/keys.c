@@ -10,6 +10,7 @@
 #define MEASURE(member) offsetof(struct scene_measure, member)
 #define LABEL(member) offsetof(struct scene_label, member)
 #define LABEL_PLACES "top-left|top|top-right|bottom-left|bottom|bottom-right"
+#define KEYFRAME(member) offsetof(struct scene_keyframe, member)
 #define ANY 0, 0           /* no range */
 #define FROM(low) low, INFINITY
 #define WALLS "closed|particles|periodic"
@@ -25,7 +26,8 @@
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
                sizeof(enum body_fill) == sizeof(int) &&
                sizeof(enum body_start) == sizeof(int) && sizeof(enum color_spread) == sizeof(int) &&
-               sizeof(enum label_place) == sizeof(int), "enums are ints");
+               sizeof(enum label_place) == sizeof(int) &&
+               sizeof(enum camera_projection) == sizeof(int), "enums are ints");
 
 const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
 
@@ -148,6 +150,19 @@ const struct key scene_core_keys[] = {
      IN(movie.start)},
     {"movie.speed", KEY_REAL, KEY_ABOVE_MIN, "1", FROM(0), "", NULL,
      "scene seconds per second of film; 0.5 is slow motion", IN(movie.speed)},
+    {"movie.codec", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "codecs",
+     "how mp4, webm and mkv are compressed; auto: h264, in webm vp9", IN(movie.codec)},
+    {"movie.crf", KEY_REAL, KEY_AUTO, "\"auto\"", 0, 63, "", NULL,
+     "constant quality of the codec, lower is better; auto: 18 to 28, by codec", IN(movie.crf)},
+    {"movie.preset", KEY_TEXT, 0, "\"auto\"", ANY, "", NULL,
+     "how hard the codec tries, in its words: veryslow, or 4", IN(movie.preset)},
+    {"movie.tune", KEY_TEXT, 0, "\"auto\"", ANY, "", NULL,
+     "what the codec is tuned for, in its words: animation, grain", IN(movie.tune)},
+    {"movie.pixel_format", KEY_TEXT, 0, "\"auto\"", ANY, "", NULL,
+     "of mp4, webm, mkv and y4m: yuv420p, yuv444p, yuv420p10le ... as the codec has it; auto: "
+     "yuv420p", IN(movie.pixel_format)},
+    {"movie.options", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
+     "further options of the codec: \"key=value key=value\"", IN(movie.options)},
 
     {"camera.eye", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
      "where the camera is; auto: frames the domain", IN(camera.eye)},
@@ -159,6 +174,23 @@ const struct key scene_core_keys[] = {
      IN(camera.fov)},
     {"camera.orbit_period", KEY_REAL, 0, "0", ANY, "s", NULL,
      "scene time of a turn about up; 0: still", IN(camera.orbit_period)},
+    {"camera.projection", KEY_ENUM, 0, "\"perspective\"", ANY, "", "perspective|orthographic",
+     "orthographic: nothing gets smaller with distance, so that lengths can be measured",
+     IN(camera.projection)},
+    {"camera.height", KEY_REAL, KEY_AUTO | KEY_ABOVE_MIN, "\"auto\"", FROM(0), "m", NULL,
+     "orthographic: height of the picture; auto: frames the domain, or with an eye what fov shows at "
+     "the target", IN(camera.height)},
+    {"camera.keyframes[].time", KEY_REAL, 0, NULL, FROM(0), "s", NULL,
+     "scene time at which the camera is here; between, before and after: on a curve, first, last",
+     KEYFRAME(time)},
+    {"camera.keyframes[].eye", KEY_VEC3, 0, NULL, ANY, "m", NULL, "where the camera is",
+     KEYFRAME(eye)},
+    {"camera.keyframes[].target", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
+     "what it looks at; auto: camera.target", KEYFRAME(target)},
+    {"camera.keyframes[].up", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "", NULL,
+     "direction that is up in the picture; auto: camera.up", KEYFRAME(up)},
+    {"camera.keyframes[].fov", KEY_REAL, KEY_AUTO, "\"auto\"", 1, 150, "degrees", NULL,
+     "vertical angle of view; auto: camera.fov", KEYFRAME(fov)},
 
     {"color.by", KEY_CHOICE, 0, "\"velocity\"", ANY, "", "colors", "quantity shown", IN(color.by)},
     {"color.map", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "maps",
@@ -219,6 +251,8 @@ const struct key_array scene_arrays[ARRAY_COUNT] = {
     {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body)},
     {"measure", "measure[].", IN(measures), IN(measure_count), sizeof(struct scene_measure)},
     {"labels", "labels[].", IN(labels), IN(label_count), sizeof(struct scene_label)},
+    {"camera.keyframes", "camera.keyframes[].", IN(keyframes), IN(keyframe_count),
+     sizeof(struct scene_keyframe)},
 };
 
 enum { BOX = 1 << BODY_BOX, SPHERE = 1 << BODY_SPHERE, CYLINDER = 1 << BODY_CYLINDER };

@@ -13,12 +13,12 @@ extern const size_t scene_core_key_count;
 
 /* Arrays of objects: where the elements live in struct scene. */
 struct key_array {
-    const char *name;   /* "fluids" */
+    const char *name;   /* "fluids", "camera.keyframes" */
     const char *prefix; /* of its keys: "fluids[]." */
     size_t items, count; /* offsets of the pointer and of the size_t */
     size_t size;        /* bytes of one element */
 };
-enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_MEASURE, ARRAY_LABELS, ARRAY_COUNT };
+enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_MEASURE, ARRAY_LABELS, ARRAY_KEYFRAMES, ARRAY_COUNT };
 extern const struct key_array scene_arrays[ARRAY_COUNT];
 
 /* Whether a body of this shape reads the key; keys that no shape owns are read by all. */

@@ -295,6 +295,7 @@ void scene_free(struct scene *scene)
     free(scene->bodies);
     free(scene->measures);
     free(scene->labels);
+    free(scene->keyframes);
     free(scene->options);
     free(scene);
 }

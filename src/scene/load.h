@@ -47,6 +47,7 @@ struct place load_element_place(const struct load *load, int array, size_t i, co
 enum status check_scene(struct load *load);
 enum status check_bodies(struct load *load);
 enum status check_measures(struct load *load);
+enum status check_camera(struct load *load);
 
 /* Volume of a body, m^3; its bounding box; whether two bodies share more than `slack` metres. */
 double body_volume(const struct scene_body *body);

@@ -80,6 +80,17 @@ struct scene_label { /* text over every frame */
     double size;           /* times the height of other text */
 };
 
+/* The camera at one time; between times it moves along smooth curves. */
+struct scene_keyframe {
+    double time;           /* s, each after the one before */
+    double eye[3];         /* m */
+    double target[3];      /* m; NAN: camera.target */
+    double up[3];          /* NAN: camera.up */
+    double fov;            /* degrees; NAN: camera.fov */
+};
+
+enum camera_projection { PROJECTION_PERSPECTIVE, PROJECTION_ORTHOGRAPHIC };
+
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
     int line, column;      /* of its value in the file; 0: not said there */
@@ -140,13 +151,22 @@ struct scene {
         double fps;        /* frames per second of film = frames per `speed` seconds of scene */
         double start;      /* first frame, s */
         double speed;      /* scene seconds per film second; 0.5 is slow motion */
+        char codec[KEY_TEXT_SIZE];        /* table "codecs"; "auto": by the file */
+        double crf;                       /* constant quality; NAN: the codec's */
+        char preset[KEY_TEXT_SIZE], tune[KEY_TEXT_SIZE]; /* of the codec; "auto" */
+        char pixel_format[KEY_TEXT_SIZE]; /* as libavutil calls it; "auto" */
+        char options[KEY_TEXT_SIZE];      /* of the codec: "key=value key=value" */
     } movie;
 
     struct {
         double eye[3], target[3], up[3]; /* m; eye NAN (auto): frames the domain */
         double fov;                      /* vertical, degrees */
         double orbit_period;             /* s of scene time per turn about `up`; 0: still */
+        enum camera_projection projection;
+        double height;                   /* orthographic: of the picture, m; NAN: chosen */
     } camera;
+    struct scene_keyframe *keyframes; /* of the camera */
+    size_t keyframe_count; /* may be 0 */
 
     struct {
         char by[KEY_TEXT_SIZE];  /* table "colors" */
@@ -209,6 +229,9 @@ enum status scene_fail(const struct scene *scene, const char *path, struct error
 
 /* Writes every key with its value in force, as a scene file that loads to the same scene. */
 void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);
+
+/* FNV-1a of what scene_write writes: equal for scenes that say the same in other words. */
+uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabulary);
 
 /* scene_write to a file, by way of PATH.part and rename; "-" is stdout. STATUS_OUTPUT. */
 enum status scene_save(const struct scene *scene, const struct vocabulary *vocabulary,

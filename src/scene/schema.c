@@ -182,7 +182,8 @@ static bool child_required(const struct schema *s, const char *prefix, const cha
     for (size_t i = 0; i < s->keys.count; i++) {
         const struct key *key = s->keys.items[i].key;
         if (!s->keys.items[i].owner && strncmp(key->path, path, n) == 0 &&
-            (key->path[n] == '\0' || key->path[n] == '.') && is_required(key))
+            (key->path[n] == '\0' || key->path[n] == '.') && !strstr(key->path + n, "[]") &&
+            is_required(key))
             return true;
     }
     return false;

@@ -58,13 +58,13 @@ static const void *path_memory(const struct writer *w, size_t row, const void *b
     return NULL;
 }
 
-static void write_array(struct writer *w, const char *name)
+static void write_array(struct writer *w, const char *prefix, const char *name)
 {
     for (int a = 0; a < ARRAY_COUNT; a++) {
         const struct key_array *array = &scene_arrays[a];
         const char *items;
         size_t count;
-        if (strcmp(array->name, name) != 0)
+        if (strcmp(array->prefix, prefix) != 0)
             continue;
         memcpy(&items, (const char *)w->scene + array->items, sizeof items);
         memcpy(&count, (const char *)w->scene + array->count, sizeof count);
@@ -99,8 +99,9 @@ static void write_child(struct writer *w, size_t row, enum key_place place, cons
     const void *memory;
     snprintf(below, sizeof below, "%s%s.", prefix, name);
     if (place == PLACE_ARRAY) {
+        snprintf(below, sizeof below, "%s%s[].", prefix, name);
         next_line(w);
-        write_array(w, name);
+        write_array(w, below, name);
     } else if (place == PLACE_LEAF) {
         memory = path_memory(w, row, base, &key);
         if (!memory)
@@ -140,6 +141,22 @@ void scene_write(const struct scene *scene, const struct vocabulary *vocabulary,
     write_object(&w, "", scene);
     fputc('\n', out);
     key_list_free(&w.keys);
+}
+
+uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabulary)
+{
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return 0;
+    scene_write(scene, vocabulary, out);
+    fclose(out);
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
+    free(text);
+    return hash;
 }
 
 static enum status save_error(const char *path, struct error *e)

@@ -186,7 +186,7 @@ static int bench_run(int argc, char **argv)
         .args_doc = "SCENE.json...",
         .doc = "Times the steps of scenes, without drawing: by phase, in pairs per second, and as a "
                "share of the multiply-add peak that this machine reaches in the same run."};
-    struct bench b = {.steps = 100, .run = {.at = NAN}};
+    struct bench b = {.steps = 100};
     struct result results[SCENES_MAX] = {0};
     struct error e = {.status = STATUS_OK, .text = ""};
     static char name[] = "sph-render bench";

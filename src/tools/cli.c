@@ -2,6 +2,7 @@
 #include "tools/cli.h"
 #include "base/log.h"
 #include "base/suggest.h"
+#include "render/camera.h"
 #include "tools/tools.h"
 
 #include <errno.h>
@@ -37,6 +38,22 @@ static enum status check_scene_name(const struct cli *cli, struct error *e)
     return STATUS_OK;
 }
 
+/* A film on standard output is alone there. */
+static enum status check_pipe(const struct cli *cli, struct error *e)
+{
+    const char *other = cli->print_camera ? "--print-camera" : NULL;
+    bool piped = false;
+    if (cli->run.write_scene && strcmp(cli->run.write_scene, "-") == 0)
+        other = "--write-scene -";
+    for (size_t i = 0; i < cli->run.output_count; i++) {
+        piped |= strcmp(cli->outputs[i], "-") == 0;
+        if (strcmp(cli->outputs[i], "hash") == 0)
+            other = "-o hash";
+    }
+    return piped && other ? error_set(e, STATUS_USAGE, "-o - and %s both write to standard output; "
+                                      "name a file for one", other) : STATUS_OK;
+}
+
 static enum status check_outputs(const struct cli *cli, struct error *e)
 {
     for (size_t i = 0; i < cli->run.output_count; i++) {
@@ -47,24 +64,34 @@ static enum status check_outputs(const struct cli *cli, struct error *e)
                 return error_set(e, STATUS_USAGE, "-o %s is given twice", cli->outputs[i]);
     }
     if (cli->run.output_count || cli->check || cli->plan || cli->run.report ||
-        cli->run.write_scene)
+        cli->run.write_scene || cli->print_camera)
         return STATUS_OK;
     return error_set(e, STATUS_USAGE, "no output; add -o film.mp4, -o 'frame-%%04d.png', "
                      "-o values.csv, -o null or -o hash; or --reference DIR, --check, --plan or "
                      "--report FILE.json");
 }
 
+static void print_camera(const struct cli *cli, const struct scene *scene)
+{
+    const double *times = cli->run.time_count ? cli->times : &scene->movie.start;
+    camera_write(scene, scene->render.radius * scene->particles.spacing, times,
+                 cli->run.time_count ? cli->run.time_count : 1, stdout);
+}
+
 static enum status film(const struct cli *cli, const struct scene *scene, struct error *e)
 {
     bool run = !cli->check && !cli->plan && (cli->run.output_count || cli->run.report);
-    if (cli->run.at > scene->time.end)
+    double last = cli->run.time_count ? cli->times[cli->run.time_count - 1] : 0;
+    if (last > scene->time.end)
         return error_set(e, STATUS_USAGE, "--at %g is after the end of the scene at %g s; add "
-                         "--end %g", cli->run.at, scene->time.end, cli->run.at);
+                         "--end %g", last, scene->time.end, last);
     if (cli->run.write_scene) {
         enum status status = scene_save(scene, &run_vocabulary, cli->run.write_scene, e);
         if (status)
             return status;
     }
+    if (cli->print_camera)
+        print_camera(cli, scene);
     if (run)
         return run_scene(scene, &cli->run, e);
     if (cli->plan)
@@ -87,6 +114,8 @@ static enum status film_main(int argc, char **argv, struct error *e)
         status = check_scene_name(&cli, e);
     if (!status)
         status = check_outputs(&cli, e);
+    if (!status)
+        status = check_pipe(&cli, e);
     if (!status)
         status = scene_load(&scene, cli.scene, &cli.set, &run_vocabulary, e);
     if (!status)

@@ -19,11 +19,12 @@ struct cli {
     struct run_options run;
     struct scene_overrides set;
     const char *scene;      /* file */
-    bool check, plan, quiet;
+    bool check, plan, quiet, print_camera;
     struct encode_reference reference;
     struct error error;     /* of the option being read */
-    /* Owned: argument vectors with room for argc entries, and the strings made for them. */
+    /* Owned: vectors with room for what all arguments can say, and the strings made for them. */
     const char **outputs, **items, **labels, **references;
+    double *times;
     char **made;
     size_t made_count;
 };
@@ -40,9 +41,10 @@ struct cli_option {
 extern const struct cli_option cli_options[];
 extern const size_t cli_option_count;
 
-enum cli_key { CLI_AT = 256, CLI_SET, CLI_SIZE, CLI_FPS, CLI_END, CLI_SOLVER, CLI_STRICT, CLI_COLOR,
-               CLI_THREADS, CLI_BACKEND, CLI_RENDERER, CLI_ISA, CLI_CHECK, CLI_PLAN, CLI_REPORT,
-               CLI_WRITE_SCENE, CLI_REFERENCE, CLI_UPDATE, CLI_GATE, CLI_HTML };
+enum cli_key { CLI_AT = 256, CLI_SHEET, CLI_CAMERA, CLI_PRINT_CAMERA, CLI_SET, CLI_SIZE, CLI_FPS,
+               CLI_END, CLI_SOLVER, CLI_STRICT, CLI_COLOR, CLI_THREADS, CLI_BACKEND, CLI_RENDERER,
+               CLI_ISA, CLI_CHECK, CLI_PLAN, CLI_REPORT, CLI_WRITE_SCENE, CLI_REFERENCE,
+               CLI_UPDATE, CLI_GATE, CLI_HTML };
 
 /* Reads the options of a film; prints help and version itself. STATUS_USAGE in cli->error. */
 enum status cli_parse(struct cli *cli, int argc, char **argv);

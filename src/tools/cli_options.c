@@ -13,11 +13,15 @@ static const char *const groups[CLI_GROUPS] = {
     "Instead of a film, or besides:", "Messages:"};
 
 const struct cli_option cli_options[] = {
-    {"output", "OUT", 'o', 1, "Write OUT, by its ending: film.mp4, frame-%04d.png, frame.png (with "
-     "--at), values.csv (measured quantities), null (compute only), hash (print index, time, state hash and pixel hash of each frame). May be "
-     "given several times: one run, several outputs.",
+    {"output", "OUT", 'o', 1, "Write OUT, by its ending: film.mp4, .webm, .mkv, .gif, .apng or .y4m "
+     "(how: keys of movie), frame-%04d.png, frame.png (with --at), values.csv (measured quantities), - "
+     "(y4m to standard output), null (compute only), hash (print index, time, state hash and pixel "
+     "hash of each frame). May be given several times: one run, several outputs.",
      NULL, NULL},
-    {"at", "T", CLI_AT, 1, "One frame only: the state at exactly T seconds of scene time", NULL, NULL},
+    {"at", "T,...", CLI_AT, 1, "No film but a frame of the state at exactly T seconds of scene time, "
+     "or at each of several times", NULL, NULL},
+    {"sheet", "CxR", CLI_SHEET, 1, "One picture made of C columns and R rows of frames, the time under "
+     "each: at the times of --at, or equally far apart; --size is that of a frame", NULL, NULL},
     {"size", "WxH", CLI_SIZE, 1, "Pixels of a frame (movie.size)", NULL, "movie.size"},
     {"fps", "N", CLI_FPS, 1, "Frames per second of film (movie.fps)", NULL, "movie.fps"},
 
@@ -26,6 +30,8 @@ const struct cli_option cli_options[] = {
     {"end", "T", CLI_END, 2, "Stop at T seconds (time.end)", NULL, "time.end"},
     {"solver", "NAME", CLI_SOLVER, 2, "Pressure solver (solver.method)", "solvers",
      "solver.method"},
+    {"camera", "\"KEY=VALUE ...\"", CLI_CAMERA, 2, "Camera of this run: \"eye=3,1,3 target=0.8,0.5,0.3 "
+     "fov=40\", or any other key of camera; an eye replaces the scene's keyframes", NULL, "camera"},
     {"strict", NULL, CLI_STRICT, 2, "Stop with an error where a limit asks for a shorter step than "
      "time.step, instead of taking it; steps that end at a frame's time may be shorter", NULL, NULL},
     {"color", "NAME", CLI_COLOR, 2, "Quantity shown (color.by)", "colors", "color.by"},
@@ -50,6 +56,9 @@ const struct cli_option cli_options[] = {
      "cross-driver; `sph-render list gates' says what they are", NULL, NULL},
     {"html", "FILE|DIR", CLI_HTML, 4, "Write a page that shows the frames beside the accepted ones",
      NULL, NULL},
+
+    {"print-camera", NULL, CLI_PRINT_CAMERA, 4, "Print the camera at the first frame, or at the "
+     "times of --at, as text for a scene file", NULL, NULL},
 
     {"quiet", NULL, 'q', 5, "Only errors", NULL, NULL},
     {"verbose", NULL, 'v', 5, "More details", NULL, NULL},
@@ -87,7 +96,9 @@ static void print_post(FILE *out)
     fputs("\nExamples:\n"
           "  sph-render scenes/dambreak.json -o dam.mp4\n"
           "  sph-render scenes/dambreak.json --at 0.5 -o dam.png\n"
+          "  sph-render scenes/dambreak.json --sheet 3x2 --size 640x360 -o sheet.png\n"
           "  sph-render scenes/dambreak.json --end 1 --fps 10 -o 'dam-%03d.png' -o hash\n"
+          "  sph-render scenes/dambreak.json -o - | ffplay -\n"
           "  sph-render scenes/dambreak.json --plan\n"
           "  sph-render scenes/dambreak.json --set particles.spacing=0.01 -o fine.mp4\n"
           "  sph-render scenes/dambreak.json --reference accepted --html page.html\n"

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,39 +37,114 @@ static char *made_string(struct cli *cli, const char *format, ...)
     return text;
 }
 
-/* --fps 60 is movie.fps=60; messages speak of --fps. */
-static void add_override(struct cli *cli, const struct cli_option *option, const char *value)
+/* "key.path=value" over the scene, which messages call by the label; NULL when memory was short. */
+static void add_item(struct cli *cli, const char *label, const char *item)
 {
-    const char *label = made_string(cli, "--%s %s", option->name, value);
-    const char *item = option->path ? made_string(cli, "%s=%s", option->path, value) : value;
     if (!label || !item)
         return;
     cli->labels[cli->set.count] = label;
     cli->items[cli->set.count++] = item;
+}
+
+/* --fps 60 is movie.fps=60; messages speak of --fps. */
+static void add_override(struct cli *cli, const struct cli_option *option, const char *value)
+{
+    add_item(cli, made_string(cli, "--%s %s", option->name, value),
+             option->path ? made_string(cli, "%s=%s", option->path, value) : value);
+}
+
+static bool read_pair(const char *value, int pair[2])
+{
+    int used = 0;
+    return sscanf(value, "%6d%*1[xX]%6d%n", &pair[0], &pair[1], &used) == 2 && !value[used];
 }
 
 static void add_size(struct cli *cli, const struct cli_option *option, const char *value)
 {
-    int width, height, used = 0;
-    if (sscanf(value, "%6d%*1[xX]%6d%n", &width, &height, &used) != 2 || value[used]) {
+    int size[2];
+    if (!read_pair(value, size)) {
         error_set(&cli->error, STATUS_USAGE, "--size %s: write WIDTHxHEIGHT, for example 1280x720",
                   value);
         return;
     }
-    char *label = made_string(cli, "--size %s", value);
-    char *item = made_string(cli, "%s=[%d, %d]", option->path, width, height);
-    if (!label || !item)
-        return;
-    cli->labels[cli->set.count] = label;
-    cli->items[cli->set.count++] = item;
+    add_item(cli, made_string(cli, "--size %s", value),
+             made_string(cli, "%s=[%d, %d]", option->path, size[0], size[1]));
 }
 
-static void read_time(struct cli *cli, const char *value)
+/* "eye=1,2,3 fov=40" is camera.eye=[1, 2, 3] and camera.fov=40. */
+static void add_camera(struct cli *cli, const struct cli_option *option, const char *value)
 {
-    char *end;
-    cli->run.at = strtod(value, &end);
-    if (end == value || *end || !isfinite(cli->run.at) || cli->run.at < 0)
-        error_set(&cli->error, STATUS_USAGE, "--at %s: give a time in seconds, 0 or more", value);
+    for (const char *word = value + strspn(value, " "); *word && !cli->error.status;) {
+        int length = (int)strcspn(word, " ");
+        char *label = made_string(cli, "--%s %.*s", option->name, length, word);
+        const char *equals = label ? strchr(label, '=') : NULL;
+        char *name = made_string(cli, "%.*s", (int)strcspn(word, "= "), word);
+        double v[3];
+        int used = 0;
+        if (!equals)
+            error_set(&cli->error, STATUS_USAGE, "--%s %s: write for example \"eye=3,1,3 fov=40\"",
+                      option->name, value);
+        else if (sscanf(equals, "=%lf,%lf,%lf%n", &v[0], &v[1], &v[2], &used) == 3 && !equals[used])
+            add_item(cli, label, made_string(cli, "%s.%s=[%.17g, %.17g, %.17g]", option->path, name,
+                                             v[0], v[1], v[2]));
+        else if (strchr(equals, ',') && !strchr(equals, '['))
+            add_item(cli, label, made_string(cli, "%s.%s=[%s]", option->path, name, equals + 1));
+        else
+            add_item(cli, label, made_string(cli, "%s.%s%s", option->path, name, equals));
+        if (name && strcmp(name, "eye") == 0) /* the camera can be at one place only */
+            add_item(cli, label, "camera.keyframes=[]");
+        word += length + (int)strspn(word + length, " ");
+    }
+}
+
+/* In a sheet the time stands under the pictures. */
+static void read_sheet(struct cli *cli, const char *value)
+{
+    int *sheet = cli->run.sheet;
+    if (!read_pair(value, sheet) || sheet[0] < 1 || sheet[1] < 1 || sheet[0] > 100 || sheet[1] > 100)
+        error_set(&cli->error, STATUS_USAGE, "--sheet %s: write COLUMNSxROWS of pictures, for example "
+                  "3x2, up to 100 each", value);
+    else
+        add_item(cli, made_string(cli, "--sheet %s", value), "render.time=false");
+}
+
+/* "0.5,1,1.5" */
+static void read_times(struct cli *cli, const char *value)
+{
+    for (const char *p = value;; p++) {
+        char *end;
+        double time = strtod(p, &end);
+        if (end == p || (*end && *end != ',') || !isfinite(time) || time < 0) {
+            error_set(&cli->error, STATUS_USAGE, "--at %s: give a time in seconds, 0 or more, or "
+                      "several: 0.5,1,1.5", value);
+            return;
+        }
+        cli->times[cli->run.time_count++] = time;
+        if (!*(p = end))
+            return;
+    }
+}
+
+static int by_time(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* What several options together must be. */
+static enum status check_times(struct cli *cli)
+{
+    struct run_options *run = &cli->run;
+    size_t cells = (size_t)run->sheet[0] * (size_t)run->sheet[1];
+    qsort(cli->times, run->time_count, sizeof *cli->times, by_time);
+    for (size_t i = 1; i < run->time_count; i++)
+        if (cli->times[i] == cli->times[i - 1])
+            return error_set(&cli->error, STATUS_USAGE, "--at: the time %g is given twice",
+                             cli->times[i]);
+    if (cells && run->time_count > cells)
+        return error_set(&cli->error, STATUS_USAGE, "--sheet %dx%d has room for %zu pictures, and --at "
+                         "gives %zu times", run->sheet[0], run->sheet[1], cells, run->time_count);
+    return STATUS_OK;
 }
 
 static void read_threads(struct cli *cli, const char *value)
@@ -107,7 +183,10 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
     case 'o': cli->outputs[cli->run.output_count++] = value; break;
     case 'q': cli->quiet = true; log_set_level(LOG_ERROR); break;
     case 'v': log_set_level(LOG_DETAIL); break;
-    case CLI_AT: read_time(cli, value); break;
+    case CLI_AT: read_times(cli, value); break;
+    case CLI_SHEET: read_sheet(cli, value); break;
+    case CLI_CAMERA: add_camera(cli, option, value); break;
+    case CLI_PRINT_CAMERA: cli->print_camera = true; break;
     case CLI_SIZE: add_size(cli, option, value); break;
     case CLI_SET:
     case CLI_FPS:
@@ -164,14 +243,16 @@ enum status cli_parse(struct cli *cli, int argc, char **argv)
                               "Renders movies of SPH fluid simulations without a screen.\v ", NULL,
                               filter_help, NULL};
     size_t room = (size_t)argc + 1;
-    *cli = (struct cli){.run = {.at = NAN, .backend = "auto", .renderer = "auto", .isa = "auto"},
+    for (int i = 0; i < argc; i++) /* one option may say several things, of two letters at least */
+        room += strlen(argv[i]);
+    *cli = (struct cli){.run = {.backend = "auto", .renderer = "auto", .isa = "auto"},
                         .outputs = calloc(room, sizeof(char *)),
                         .items = calloc(room, sizeof(char *)),
                         .labels = calloc(room, sizeof(char *)),
                         .references = calloc(room, sizeof(char *)),
+                        .times = calloc(room, sizeof(double)),
                         .made = calloc(2 * room, sizeof(char *))};
-    if (!cli->outputs || !cli->items || !cli->labels ||
-        !cli->references || !cli->made)
+    if (!cli->outputs || !cli->items || !cli->labels || !cli->times || !cli->references || !cli->made)
         return error_set(&cli->error, STATUS_RUN, "memory is short");
     _Static_assert(sizeof options / sizeof *options > 40, "room for all options and groups");
     if (cli_check_names(argc, argv, &cli->error))
@@ -179,11 +260,14 @@ enum status cli_parse(struct cli *cli, int argc, char **argv)
     cli_argp_options(options);
     error_t failed = argp_parse(&argp, argc, argv, 0, NULL, cli);
     cli->run.outputs = cli->outputs;
+    cli->run.times = cli->times;
     cli->set.items = cli->items;
     cli->set.labels = cli->labels;
     if (failed && !cli->error.status)
         return error_set(&cli->error, STATUS_RUN, "options: %s", strerror(failed));
-    return failed ? cli->error.status : finish_reference(cli);
+    if (cli->error.status || check_times(cli))
+        return cli->error.status;
+    return finish_reference(cli);
 }
 
 void cli_free(struct cli *cli)
@@ -195,4 +279,5 @@ void cli_free(struct cli *cli)
     free(cli->items);
     free(cli->labels);
     free(cli->references);
+    free(cli->times);
 }

@@ -1,5 +1,5 @@
-/* Writes mp4 containers through libavformat, with every error of the disk caught. */
-#include "encode/mp4_file.h"
+/* Writes films' files through libavformat, with every error of the disk caught. */
+#include "encode/container.h"
 
 #if HAVE_LIBAV
 
@@ -14,11 +14,19 @@
 #include <string.h>
 #include <unistd.h>
 
-struct mp4_file {
+struct container_file {
     AVFormatContext *format;
     AVRational time_base; /* of the packets that come */
-    char *path;
+    char *path;           /* for messages */
+    bool is_pipe;
 };
+
+bool container_holds(const struct container *container, const char *encoder)
+{
+    const AVOutputFormat *format = av_guess_format(container->muxer, NULL, NULL);
+    const AVCodec *codec = avcodec_find_encoder_by_name(encoder);
+    return format && codec && avformat_query_codec(format, codec->id, FF_COMPLIANCE_NORMAL) == 1;
+}
 
 /* Makes sure that the bytes of a closed file are on the disk. */
 static enum status sync_path(const char *path, struct error *e)
@@ -37,7 +45,7 @@ static int worst(const AVFormatContext *format, int code)
     return code < 0 ? code : format->pb && format->pb->error < 0 ? format->pb->error : 0;
 }
 
-static void file_free(struct mp4_file *file)
+static void file_free(struct container_file *file)
 {
     if (file->format && file->format->pb)
         avio_closep(&file->format->pb);
@@ -46,20 +54,24 @@ static void file_free(struct mp4_file *file)
     free(file);
 }
 
-/* Makes an mp4 writer with one stream, not yet opened; the name gets "file:" in front since a
- * colon in it would otherwise be read as a protocol. */
-static enum status file_create(struct mp4_file **made, const char *path, struct error *e)
+/* Makes a writer with one stream, not yet opened; the name gets "file:" in front since a colon in it
+ * would otherwise be read as a protocol. */
+static enum status file_create(struct container_file **made, const struct container *container,
+                               const char *path, struct error *e)
 {
-    struct mp4_file *file = calloc(1, sizeof *file);
+    bool is_pipe = strcmp(path, "-") == 0;
+    struct container_file *file = calloc(1, sizeof *file);
     char *url = NULL;
     libav_quiet();
     *made = NULL;
-    if (!file || !(file->path = strdup(path)) || asprintf(&url, "file:%s", path) < 0)
+    if (!file || !(file->path = strdup(is_pipe ? "standard output" : path)) ||
+        asprintf(&url, is_pipe ? "pipe:1" : "file:%s", path) < 0)
         goto memory;
-    int code = avformat_alloc_output_context2(&file->format, NULL, "mp4", url);
+    file->is_pipe = is_pipe;
+    int code = avformat_alloc_output_context2(&file->format, NULL, container->muxer, url);
     if (code < 0) {
-        libav_error(e, STATUS_BACKEND, code, "%s: no mp4 writer in this machine's libavformat",
-                    path);
+        libav_error(e, STATUS_BACKEND, code, "%s: no writer of %s in this machine's libavformat",
+                    path, container->muxer);
         goto fail;
     }
     if (!avformat_new_stream(file->format, NULL))
@@ -77,18 +89,25 @@ fail:
     return e->status;
 }
 
-/* Creates the file and writes its header with the given movflags. */
-static enum status file_begin(struct mp4_file *file, const char *flags, const char *title,
-                              struct error *e)
+static void set_tag(AVFormatContext *format, const char *key, const char *text)
+{
+    if (text && *text)
+        av_dict_set(&format->metadata, key, text, 0);
+}
+
+/* Creates the file and writes its header with the given options: key, value, ended by NULL. */
+static enum status file_begin(struct container_file *file, const char *const *said,
+                              const struct container_tags *tags, struct error *e)
 {
     AVFormatContext *format = file->format;
     AVDictionary *options = NULL;
     int code = avio_open(&format->pb, format->url, AVIO_FLAG_WRITE);
     if (code < 0)
         return libav_error(e, STATUS_OUTPUT, code, "%s", file->path);
-    if (title && *title)
-        av_dict_set(&format->metadata, "title", title, 0);
-    av_dict_set(&options, "movflags", flags, 0);
+    set_tag(format, "title", tags->title);
+    set_tag(format, "comment", tags->comment);
+    for (; *said; said += 2)
+        av_dict_set(&options, said[0], said[1], 0);
     code = worst(format, avformat_write_header(format, &options));
     if (code >= 0 && av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
@@ -98,11 +117,12 @@ static enum status file_begin(struct mp4_file *file, const char *flags, const ch
     return STATUS_OK;
 }
 
-enum status mp4_file_open(struct mp4_file **made, const char *path, const AVCodecContext *codec,
-                          const char *title, struct error *e)
+enum status container_open(struct container_file **made, const struct container *container,
+                           const char *path, const AVCodecContext *codec,
+                           const struct container_tags *tags, struct error *e)
 {
-    struct mp4_file *file;
-    if (file_create(&file, path, e))
+    struct container_file *file;
+    if (file_create(&file, container, path, e))
         return e->status;
     AVStream *stream = file->format->streams[0];
     int code = avcodec_parameters_from_context(stream->codecpar, codec);
@@ -112,18 +132,19 @@ enum status mp4_file_open(struct mp4_file **made, const char *path, const AVCode
     if (code < 0)
         libav_error(e, STATUS_OUTPUT, code, "%s", path);
     else
-        code = file_begin(file, "frag_keyframe+empty_moov+default_base_moof", title, e)
-               ? AVERROR(EIO) : 0;
+        code = file_begin(file, container->options, tags, e) ? AVERROR(EIO) : 0;
     if (code < 0) {
+        bool is_pipe = file->is_pipe;
         file_free(file);
-        unlink(path);
+        if (!is_pipe)
+            unlink(path);
         return e->status;
     }
     *made = file;
     return STATUS_OK;
 }
 
-enum status mp4_file_write(struct mp4_file *file, AVPacket *packet, struct error *e)
+enum status container_write(struct container_file *file, AVPacket *packet, struct error *e)
 {
     AVStream *stream = file->format->streams[0];
     av_packet_rescale_ts(packet, file->time_base, stream->time_base);
@@ -132,7 +153,7 @@ enum status mp4_file_write(struct mp4_file *file, AVPacket *packet, struct error
     return code < 0 ? libav_error(e, STATUS_OUTPUT, code, "%s", file->path) : STATUS_OK;
 }
 
-enum status mp4_file_close(struct mp4_file *file, bool finish, struct error *e)
+enum status container_close(struct container_file *file, bool finish, struct error *e)
 {
     int code = 0;
     enum status status = STATUS_OK;
@@ -147,7 +168,7 @@ enum status mp4_file_close(struct mp4_file *file, bool finish, struct error *e)
     code = code < 0 ? code : closed;
     if (finish && code < 0)
         status = libav_error(e, STATUS_OUTPUT, code, "%s", file->path);
-    else if (finish)
+    else if (finish && !file->is_pipe)
         status = sync_path(file->path, e);
     file_free(file);
     return status;
@@ -169,7 +190,7 @@ static enum status open_fragments(AVFormatContext **input, const char *path, str
 }
 
 /* Copies all packets, with the time of the first picture moved to 0. */
-static enum status copy_packets(AVFormatContext *input, struct mp4_file *file, struct error *e)
+static enum status copy_packets(AVFormatContext *input, struct container_file *file, struct error *e)
 {
     AVPacket *packet = av_packet_alloc();
     int64_t start = AV_NOPTS_VALUE;
@@ -181,7 +202,7 @@ static enum status copy_packets(AVFormatContext *input, struct mp4_file *file, s
         packet->pts -= start;
         packet->dts -= start;
         packet->pos = -1;
-        status = mp4_file_write(file, packet, e);
+        status = container_write(file, packet, e);
     }
     av_packet_free(&packet);
     if (!status && code != AVERROR_EOF)
@@ -189,18 +210,18 @@ static enum status copy_packets(AVFormatContext *input, struct mp4_file *file, s
     return status;
 }
 
-enum status mp4_file_reorder(const char *from, const char *to, const char *title, struct error *e)
+enum status container_reorder(const struct container *container, const char *from, const char *to,
+                              const struct container_tags *tags, struct error *e)
 {
     AVFormatContext *input = NULL;
-    struct mp4_file *file = NULL;
-    enum status status = file_create(&file, to, e);
+    struct container_file *file = NULL;
+    enum status status = file_create(&file, container, to, e);
     if (!status)
         status = open_fragments(&input, from, e);
     if (!status) {
         const AVStream *source = input->streams[0];
         AVStream *stream = file->format->streams[0];
         int code = avcodec_parameters_copy(stream->codecpar, source->codecpar);
-        stream->codecpar->codec_tag = 0;
         stream->time_base = file->time_base = source->time_base;
         stream->avg_frame_rate = source->avg_frame_rate;
         stream->sample_aspect_ratio = source->sample_aspect_ratio;
@@ -208,12 +229,12 @@ enum status mp4_file_reorder(const char *from, const char *to, const char *title
             status = libav_error(e, STATUS_OUTPUT, code, "%s", to);
     }
     if (!status)
-        status = file_begin(file, "+faststart", title, e);
+        status = file_begin(file, container->final_options, tags, e);
     if (!status)
         status = copy_packets(input, file, e);
     avformat_close_input(&input);
     struct error closing;
-    if (file && mp4_file_close(file, !status, &closing) && !status) {
+    if (file && container_close(file, !status, &closing) && !status) {
         *e = closing;
         status = closing.status;
     }
