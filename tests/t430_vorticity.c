@@ -28,7 +28,7 @@ static void open(struct world *w, const struct way *way, const char *body)
     struct error *e = &w->error;
     int length = snprintf(text, sizeof text, SCENE, way->method, way->search, body);
     memset(w, 0, sizeof *w);
-    w->options = (struct run_options){.at = NAN, .threads = way->threads, .isa = way->isa,
+    w->options = (struct run_options){.threads = way->threads, .isa = way->isa,
                                       .outputs = outputs, .output_count = 1};
     if (scene_from_text(&w->scene, text, (size_t)length, NULL, &run_vocabulary, e) ||
         plan_make(&w->plan, w->scene, &w->options, e) ||
