@@ -132,7 +132,8 @@ static void bins_fill(struct balls *s, int threads)
     for (int t = 0; t < threads; t++)
         for (size_t i = share(s->count, t, threads); i < share(s->count, t + 1, threads); i++)
             FOR_TILES(&s->ball[i], b, tile)
-                b->entry[b->next[(size_t)t * tiles + (size_t)tile]++] = (uint32_t)i;
+                b->entry[b->next[(size_t)t * tiles + (size_t)tile]++] =
+                    (struct ball_entry){(uint32_t)i, s->ball[i].z};
 }
 
 enum status balls_make(struct balls *s, const struct ball_view *view, const struct render_frame *frame,
@@ -159,27 +160,26 @@ enum status balls_make(struct balls *s, const struct ball_view *view, const stru
 
 enum { SLICES = 64 }; /* of a tile's depth: order within one does not matter much */
 
-const uint32_t *balls_of_tile(struct balls *s, int tile, size_t *count)
+struct ball_list balls_of_tile(struct balls *s, int tile)
 {
     const struct bins *b = &s->bins;
-    const uint32_t *entry = b->entry + b->start[tile];
-    uint32_t *sorted = b->sorted + b->start[tile];
+    const struct ball_entry *entry = b->entry + b->start[tile];
+    struct ball_entry *sorted = b->sorted + b->start[tile];
+    const size_t count = b->start[tile + 1] - b->start[tile];
     size_t place[SLICES + 1] = {0};
     float near = INFINITY, far = 0;
-    *count = b->start[tile + 1] - b->start[tile];
-    for (size_t i = 0; i < *count; i++) {
-        float z = s->ball[entry[i]].z;
-        near = z < near ? z : near;
-        far = z > far ? z : far;
+    for (size_t i = 0; i < count; i++) {
+        near = entry[i].z < near ? entry[i].z : near;
+        far = entry[i].z > far ? entry[i].z : far;
     }
     float scale = far > near ? (SLICES - 1) / (far - near) : 0;
-    for (size_t i = 0; i < *count; i++)
-        place[(int)((s->ball[entry[i]].z - near) * scale) + 1]++;
+    for (size_t i = 0; i < count; i++)
+        place[(int)((entry[i].z - near) * scale) + 1]++;
     for (int k = 0; k < SLICES; k++)
         place[k + 1] += place[k];
-    for (size_t i = 0; i < *count; i++)
-        sorted[place[(int)((s->ball[entry[i]].z - near) * scale)]++] = entry[i];
-    return sorted;
+    for (size_t i = 0; i < count; i++)
+        sorted[place[(int)((entry[i].z - near) * scale)]++] = entry[i];
+    return (struct ball_list){sorted, count, 1.001F * (far - near) / (SLICES - 1)};
 }
 
 void balls_free(struct balls *s)

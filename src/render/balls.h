@@ -9,7 +9,7 @@
 /* Lists of spheres by tile: those of tile i are entry[start[i]] to entry[start[i + 1] - 1]. */
 struct bins {
     int columns, rows, tile; /* tiles in the picture; samples of a tile's side */
-    uint32_t *entry, *sorted;
+    struct ball_entry *entry, *sorted;
     size_t *start, *next;    /* next: of each thread and tile, while lists are filled */
     size_t entries, entry_room, tile_room;
 };
@@ -34,8 +34,8 @@ struct ball_view {
 enum status balls_make(struct balls *balls, const struct ball_view *view,
                        const struct render_frame *frame, struct error *e);
 
-/* Numbers of the spheres that may cover a tile, about nearest first. */
-const uint32_t *balls_of_tile(struct balls *balls, int tile, size_t *count);
+/* The spheres that may cover a tile. */
+struct ball_list balls_of_tile(struct balls *balls, int tile);
 
 void balls_free(struct balls *balls);
 

@@ -121,10 +121,9 @@ static void spheres_draw(struct canvas *c, const struct splat *splat)
     const int count = c->balls.bins.columns * c->balls.bins.rows;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
     for (int i = 0; i < count; i++) {
-        size_t most;
         struct tile *tile = tile_of(c, i);
-        const uint32_t *balls = balls_of_tile(&c->balls, i, &most);
-        c->isa->fill(splat, tile, balls, most);
+        const struct ball_list list = balls_of_tile(&c->balls, i);
+        c->isa->fill(splat, tile, &list);
         c->isa->shade(splat, tile);
         c->isa->finish(splat, tile);
     }
@@ -149,13 +148,12 @@ static void surface_draw(struct canvas *c, const struct splat *splat)
     struct surface *f = &c->surface;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
     for (int i = 0; i < count; i++) {
-        size_t most;
         struct tile *tile = tile_of(c, i);
-        const uint32_t *balls = balls_of_tile(&c->balls, i, &most);
-        c->isa->fill(splat, tile, balls, most);
+        const struct ball_list list = balls_of_tile(&c->balls, i);
+        c->isa->fill(splat, tile, &list);
         c->isa->surface->keep(f, tile);
         if (!f->opaque)
-            c->isa->surface->thicken(splat, f, tile, balls, most);
+            c->isa->surface->thicken(splat, f, tile, &list);
     }
     for (int round = 0; round < SURFACE_ROUNDS; round++) {
         surface_smooth_all(c, 1);

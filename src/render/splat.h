@@ -37,6 +37,17 @@ struct blend {
     int left, right, top, bottom; /* right and bottom are not in */
 };
 
+/* Spheres that may cover a tile, about nearest first: each is at most `step` m nearer than those before. */
+struct ball_entry {
+    uint32_t ball;
+    float z;
+};
+struct ball_list {
+    const struct ball_entry *entry;
+    size_t count;
+    float step;
+};
+
 /* What all tiles of a picture share. */
 struct splat {
     const struct ball *balls;
@@ -68,7 +79,7 @@ struct splat_isa {
     const char *name;
     bool (*supported)(void);
     /* Finds the nearest sphere at each sample of a tile. */
-    void (*fill)(const struct splat *splat, struct tile *tile, const uint32_t *balls, size_t count);
+    void (*fill)(const struct splat *splat, struct tile *tile, const struct ball_list *list);
     /* Colours the spheres. */
     void (*shade)(const struct splat *splat, struct tile *tile);
     /* Blends the triangles over them and writes the tile's pixels. */

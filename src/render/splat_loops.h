@@ -311,11 +311,30 @@ static void tile_resolve(const struct splat *s, const struct tile *tile)
                                                (size_t)(tile->left / n)));
 }
 
-static void tile_fill(const struct splat *s, struct tile *tile, const uint32_t *balls, size_t count)
+/* Whether all samples of the tile show something nearer than any sphere whose centre is that far. */
+static bool tile_is_full(struct tile *tile, float z, float radius)
+{
+    float front = z - 1.0001F * radius - 1e-6F * z;
+    for (int row = 0; row * BLOCK < tile->height; row++)
+        for (int column = 0; column * BLOCK < tile->width; column++)
+            if (!(block_far(tile, column, row) < front))
+                return false;
+    return true;
+}
+
+/* Spheres after which it is seen whether the rest are hidden; and those that are fetched ahead. */
+enum { FULL_EVERY = 32, AHEAD = 12 };
+
+static void tile_fill(const struct splat *s, struct tile *tile, const struct ball_list *list)
 {
     tile_clear(tile);
-    for (size_t i = 0; i < count; i++)
-        ball_splat(s, tile, balls[i]);
+    for (size_t i = 0; i < list->count; i++) {
+        if (i % FULL_EVERY == 0 && tile_is_full(tile, list->entry[i].z - list->step, s->radius))
+            return;
+        if (i + AHEAD < list->count)
+            __builtin_prefetch(&s->balls[list->entry[i + AHEAD].ball]);
+        ball_splat(s, tile, list->entry[i].ball);
+    }
 }
 
 static void tile_shade(const struct splat *s, struct tile *tile)

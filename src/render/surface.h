@@ -47,7 +47,7 @@ struct surface_loops {
     void (*keep)(struct surface *surface, const struct tile *tile);
     /* Thickness of a tile, from all its spheres. */
     void (*thicken)(const struct splat *splat, struct surface *surface, struct tile *tile,
-                    const uint32_t *balls, size_t count);
+                    const struct ball_list *list);
     /* Smooths row y from depth into other, along the row (step 1) or the columns (step pitch). */
     void (*smooth)(struct surface *surface, int y, size_t step);
     /* Colours and depths of a tile. */

@@ -27,12 +27,12 @@ static inline void chunk_thicken(const struct splat *s, const struct ball *ball,
 }
 
 static void surface_thicken(const struct splat *s, struct surface *f, struct tile *tile,
-                            const uint32_t *balls, size_t count)
+                            const struct ball_list *list)
 {
     float (*sum)[TILE] = tile->color[0];
     memset(tile->color[0], 0, sizeof tile->color[0]);
-    for (size_t i = 0; i < count; i++) {
-        const struct ball *ball = &s->balls[balls[i]];
+    for (size_t i = 0; i < list->count; i++) {
+        const struct ball *ball = &s->balls[list->entry[i].ball];
         int left = ball->left > tile->left ? ball->left - tile->left : 0;
         int top = ball->top > tile->top ? ball->top - tile->top : 0;
         int right = ball->right - tile->left, bottom = ball->bottom - tile->top;
