@@ -44,10 +44,13 @@ END
 }
 all=$(covered) half=$(covered --set 'render.clip_max=[0.2, 9, 9]')
 none=$(covered --set 'render.clip_min=[9, 9, 9]') hidden=$(covered --set fluids.0.visible=false)
+title=$(covered --set render.title=true)
 slow=$(covered --set 'render.show_range=[0, 0.5]') fast=$(covered --set 'render.show_range=[0.5, 99]')
 echo "# pixels: all $all, clipped $half, slow $slow, fast $fast" >"$work/out"
 [ "$all" -gt 1000 ] && [ "$half" -lt "$all" ] && [ "$half" -gt 100 ]
 result $? "clip_max cuts the fluid: $half of $all pixels"
+[ "$title" -gt $((all + 50)) ] || "$SPH" list overlays | grep -q 'not in this build'
+result $? "text over nothing is seen: $title of $all pixels"
 [ "$none" = 0 ] && [ "$hidden" = 0 ]
 result $? "all is clipped or hidden: $none, $hidden pixels"
 [ "$slow" -gt 100 ] && [ "$fast" -gt 100 ] && [ "$slow" -lt "$all" ] && [ "$fast" -lt "$all" ]

@@ -183,6 +183,20 @@ enum status overlay_open(struct overlay **overlay, const struct render_setup *se
     return status;
 }
 
+/* Puts a premultiplied ARGB pixel over an RGBA pixel, whose colours are not multiplied. */
+static void pixel_blend(uint32_t argb, uint8_t *pixel)
+{
+    uint32_t own = argb >> 24, under = pixel[3] * (255 - own), alpha = 255 * own + under; /* of 255^2 */
+    for (int k = 0; k < 3; k++) {
+        uint32_t color = argb >> (16 - 8 * k) & 255;
+        if (pixel[3] == 255)
+            pixel[k] = (uint8_t)(color + (pixel[k] * (255 - own) + 127) / 255);
+        else
+            pixel[k] = (uint8_t)((255 * (255 * color) + pixel[k] * under + alpha / 2) / alpha);
+    }
+    pixel[3] = (uint8_t)((alpha + 127) / 255);
+}
+
 /* Puts a premultiplied ARGB surface over RGBA pixels, its upper left at (left, top). */
 static void blend(cairo_surface_t *surface, int left, int top, struct image *image)
 {
@@ -198,11 +212,8 @@ static void blend(cairo_surface_t *surface, int left, int top, struct image *ima
         for (int x = 0; x < width; x++, pixel += 4) {
             uint32_t argb;
             memcpy(&argb, data + (size_t)y * (size_t)stride + (size_t)x * 4, sizeof argb);
-            if (argb >> 24 == 0)
-                continue;
-            for (int k = 0; k < 3; k++)
-                pixel[k] = (uint8_t)((argb >> (16 - 8 * k) & 255) +
-                                     (pixel[k] * (255 - (argb >> 24)) + 127) / 255);
+            if (argb >> 24)
+                pixel_blend(argb, pixel);
         }
     }
 }
