@@ -27,6 +27,11 @@ static void change_look(struct scene *scene)
     for (int k = 0; k < 3; k++)
         scene->render.background_top[k] = 0.2 * k;
 }
+static void change_occlusion(struct scene *scene)
+{
+    scene->render.occlusion = 0.7;
+    scene->particles.spacing = 0.016;
+}
 static void change_clear(struct scene *scene)
 {
     scene->render.transparent = true;
@@ -78,7 +83,7 @@ static bool has(const char *isa)
 static void the_same_bits(void **state)
 {
     static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
-                                                       change_surface};
+                                                       change_surface, change_occlusion};
     static const char *const isas[] = {"scalar", "avx2", "avx512"};
     (void)state;
     for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
@@ -123,6 +128,23 @@ static void the_picture_of_opengl(void **state)
             image_free(&cpu);
             image_free(&gl);
         }
+}
+
+/* Darker somewhere, nowhere lighter. */
+static void occlusion_darkens(void **state)
+{
+    struct image plain, dark;
+    size_t darker = 0;
+    (void)state;
+    draw(&(struct how){"cpu", "auto", 2, 0.008}, change_nothing, &plain);
+    draw(&(struct how){"cpu", "auto", 2, 0.008}, change_occlusion, &dark);
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT * 4; i++) {
+        assert_true(dark.rgba[i] <= plain.rgba[i] + 1);
+        darker += dark.rgba[i] + 10 < plain.rgba[i];
+    }
+    assert_true(darker > 1000);
+    image_free(&plain);
+    image_free(&dark);
 }
 
 /* A pool of still spheres with a surface: its middle is as flat and even as the sphere picture is not. */
@@ -188,7 +210,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_bits), cmocka_unit_test(the_picture_of_opengl),
-        cmocka_unit_test(surface_is_smooth), cmocka_unit_test(surface_by_cpu_only),
+        cmocka_unit_test(surface_is_smooth), cmocka_unit_test(occlusion_darkens),
+        cmocka_unit_test(surface_by_cpu_only),
         cmocka_unit_test(alpha),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

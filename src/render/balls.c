@@ -32,8 +32,8 @@ static inline void extent(float center, float z, float radius, bool parallel, fl
 }
 
 /* A sphere without extent is out of sight: behind the eye, around it, or not a number. */
-static void ball_make(const struct ball_view *v, const struct render_frame *frame, size_t i,
-                      struct ball *ball)
+static void ball_make(const struct ball_view *v, const struct occlusion *occlusion,
+                      const struct render_frame *frame, size_t i, struct ball *ball)
 {
     const float *p = frame->position + 3 * i;
     const double *m = v->camera->right, *u = v->camera->up, *f = v->camera->forward;
@@ -51,6 +51,12 @@ static void ball_make(const struct ball_view *v, const struct render_frame *fram
         memcpy(ball->rgb, frame->color + 4 * i, 3);
     else
         map_color(v->setup->palette, scale_place(scale, frame->value[i]), ball->rgb);
+    const float strength = (float)v->setup->scene->render.occlusion;
+    if (strength > 0) {
+        float shade = occlusion_shade(occlusion, p, strength);
+        for (int k = 0; k < 3; k++)
+            ball->rgb[k] = (uint8_t)((float)ball->rgb[k] * shade + 0.5F);
+    }
 }
 
 /* Calls for each tile that the sphere may cover. */
@@ -90,7 +96,7 @@ static void balls_count(struct balls *s, const struct ball_view *v, const struct
 #pragma omp parallel for schedule(static, 1) num_threads(v->threads)
     for (int t = 0; t < v->threads; t++)
         for (size_t i = share(s->count, t, v->threads); i < share(s->count, t + 1, v->threads); i++) {
-            ball_make(v, frame, i, &s->ball[i]);
+            ball_make(v, &s->occlusion, frame, i, &s->ball[i]);
             FOR_TILES(&s->ball[i], b, tile)
                 b->next[(size_t)t * tiles + (size_t)tile]++;
         }
@@ -148,6 +154,9 @@ enum status balls_make(struct balls *s, const struct ball_view *view, const stru
         if (!s->ball)
             return error_set(e, STATUS_RUN, "out of memory for drawing %zu particles", s->count);
     }
+    const struct scene *scene = view->setup->scene;
+    if (scene->render.occlusion > 0 && occlusion_make(&s->occlusion, scene, frame, view->threads, e))
+        return e->status;
     if (bins_room(&s->bins, view, e))
         return e->status;
     balls_count(s, view, frame);
@@ -184,6 +193,7 @@ struct ball_list balls_of_tile(struct balls *s, int tile)
 
 void balls_free(struct balls *s)
 {
+    occlusion_free(&s->occlusion);
     free(s->ball);
     free(s->bins.entry);
     free(s->bins.sorted);

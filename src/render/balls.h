@@ -3,6 +3,7 @@
 #define RENDER_BALLS_H
 
 #include "render/camera.h"
+#include "render/occlusion.h"
 #include "render/render.h"
 #include "render/splat.h"
 
@@ -18,6 +19,7 @@ struct balls {
     struct ball *ball; /* in order of the frame's particles; without extent where out of sight */
     size_t count, room;
     struct bins bins;
+    struct occlusion occlusion; /* where the scene wants it */
 };
 
 /* What spheres are seen by. */

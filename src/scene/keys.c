@@ -226,6 +226,8 @@ const struct key scene_core_keys[] = {
      "samples of a pixel, in x and in y", IN(render.samples)},
     {"render.outline", KEY_REAL, 0, "0", 0, 1, "radii", NULL,
      "dark rim of a particle", IN(render.outline)},
+    {"render.occlusion", KEY_REAL, 0, "0", 0, 1, "", NULL,
+     "how much darker particles are that others surround (renderer cpu)", IN(render.occlusion)},
     {"render.clip_min", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
      "particles outside clip_min to clip_max are not drawn; auto: no bound", IN(render.clip_min)},
     {"render.clip_max", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL, "see clip_min",
