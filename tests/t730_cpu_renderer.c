@@ -206,13 +206,42 @@ static void alpha(void **state)
     image_free(&solid);
 }
 
+/* Raw numbers in the middle of a sphere on the axis: distance less radius, value, number. */
+static void raw_numbers(void **state)
+{
+    static const double eye[3] = {0.8, 0.5, 3}, target[3] = {0.8, 0.5, 0};
+    static const float position[6] = {0.1F, 0.1F, 0.1F, 0.8F, 0.5F, 0.5F}, value[2] = {1, 2.5F};
+    struct scene scene;
+    struct error e = {.text = ""};
+    struct renderer *renderer;
+    struct image image = {0};
+    struct render_frame frame = {.count = 2, .position = position, .value = value};
+    (void)state;
+    fixture_scene(&scene, 101, 61);
+    memcpy(scene.camera.eye, eye, sizeof eye);
+    memcpy(scene.camera.target, target, sizeof target);
+    scene.render.samples = 1;
+    struct render_setup setup = fixture_setup(&scene, "cpu");
+    setup.radius = 0.25;
+    assert_int_equal(renderer_open(&renderer, &setup, &e), STATUS_OK);
+    assert_int_equal(image_create(&image, 101, 61, &e), STATUS_OK);
+    assert_int_equal(image_create_raw(&image, &e), STATUS_OK);
+    assert_int_equal(renderer_draw(renderer, &frame, &image, &e), STATUS_OK);
+    const float *middle = image.raw + RAW_PLANES * (30 * 101 + 50), *corner = image.raw;
+    assert_true(fabsf(middle[RAW_DEPTH] - 2.25F) < 1e-6F);
+    assert_true(middle[RAW_VALUE] == 2.5F && middle[RAW_ID] == 1);
+    assert_true(isinf(corner[RAW_DEPTH]) && isnan(corner[RAW_VALUE]) && corner[RAW_ID] == -1);
+    renderer_close(renderer);
+    image_free(&image);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_bits), cmocka_unit_test(the_picture_of_opengl),
         cmocka_unit_test(surface_is_smooth), cmocka_unit_test(occlusion_darkens),
         cmocka_unit_test(surface_by_cpu_only),
-        cmocka_unit_test(alpha),
+        cmocka_unit_test(raw_numbers), cmocka_unit_test(alpha),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

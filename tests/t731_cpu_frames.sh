@@ -62,4 +62,14 @@ result $? "5 samples are refused"
 code=$?
 [ "$code" != 0 ] && [ ! -e "$work/no.png" ]
 result $? "a picture too wide is refused (exit $code)"
+"$SPH" $still --at 0.1 -o "$work/a.depth.pfm" >"$work/out" 2>&1 &&
+    [ "$(head -n 2 "$work/a.depth.pfm" | tr '\n' ' ')" = "Pf 320 180 " ] &&
+    [ "$(wc -c <"$work/a.depth.pfm")" = $((16 + 320 * 180 * 4)) ]
+result $? "depth as raw floats"
+"$SPH" $still --at 0.1 -o "$work/a.pfm" >"$work/out" 2>&1
+[ $? = 2 ] && grep -q depth.pfm "$work/out"
+result $? "a raw image says what of"
+"$SPH" $still -o "$work/b.id.pfm" >"$work/out" 2>&1
+[ $? = 2 ] && grep -q '%04d.id.pfm' "$work/out" && [ ! -e "$work/b.id.pfm.new" ]
+result $? "raw images of a film are numbered"
 echo "1..$n"

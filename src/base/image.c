@@ -11,8 +11,7 @@
 
 enum status image_create(struct image *image, int width, int height, struct error *e)
 {
-    image->width = image->height = 0;
-    image->rgba = NULL;
+    memset(image, 0, sizeof *image);
     if (width < 1 || height < 1)
         return error_set(e, STATUS_RUN, "an image of %d x %d pixels is empty", width, height);
     image->rgba = calloc((size_t)width * 4, (size_t)height);
@@ -24,9 +23,18 @@ enum status image_create(struct image *image, int width, int height, struct erro
     return STATUS_OK;
 }
 
+enum status image_create_raw(struct image *image, struct error *e)
+{
+    image->raw = calloc((size_t)image->width * RAW_PLANES * sizeof *image->raw, (size_t)image->height);
+    return image->raw ? STATUS_OK
+                      : error_set(e, STATUS_RUN, "out of memory for the raw numbers of %d x %d pixels",
+                                  image->width, image->height);
+}
+
 void image_free(struct image *image)
 {
     free(image->rgba);
+    free(image->raw);
     memset(image, 0, sizeof *image);
 }
 

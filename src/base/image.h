@@ -10,10 +10,17 @@
 struct image {
     int width, height; /* pixels */
     uint8_t *rgba;     /* height rows, top row first, width * 4 bytes each, no padding */
+    float *raw;        /* what a pixel shows, in the same order, or NULL: enum raw_plane */
 };
+
+/* Of a pixel: distance in front of the camera, m (INFINITY: nothing); the colour's value (NAN: none); the
+ * particle's number (-1: none). */
+enum raw_plane { RAW_DEPTH, RAW_VALUE, RAW_ID, RAW_PLANES };
 
 /* Allocates a zeroed image; STATUS_RUN when memory is short. */
 enum status image_create(struct image *image, int width, int height, struct error *e);
+/* Adds room for raw numbers. */
+enum status image_create_raw(struct image *image, struct error *e);
 void image_free(struct image *image);
 
 /* Reads any PNG as RGBA8; STATUS_USAGE when the file is missing or no PNG. */

@@ -10,24 +10,9 @@
 
 extern const struct encoder_row encoder_mp4, encoder_webm, encoder_mkv, encoder_gif, encoder_apng,
     encoder_y4m, encoder_png, encoder_csv, encoder_hash, encoder_null,
-    encoder_reference;
+    encoder_reference, encoder_pfm;
 
-static const struct encoder_row *const encoders[] = {
-    &encoder_mp4,
-    &encoder_webm,
-    &encoder_mkv,
-    &encoder_gif,
-    &encoder_apng,
-    &encoder_y4m,
-    &encoder_png,
-    &encoder_csv,
-    &encoder_hash,
-    &encoder_null,
-    &encoder_reference,
-};
-enum { ENCODER_COUNT = sizeof encoders / sizeof encoders[0] };
-
-static const struct variant *const variants[ENCODER_COUNT] = {
+static const struct variant *const rows[] = {
     &encoder_mp4.variant,
     &encoder_webm.variant,
     &encoder_mkv.variant,
@@ -35,6 +20,7 @@ static const struct variant *const variants[ENCODER_COUNT] = {
     &encoder_apng.variant,
     &encoder_y4m.variant,
     &encoder_png.variant,
+    &encoder_pfm.variant,
     &encoder_csv.variant,
     &encoder_hash.variant,
     &encoder_null.variant,
@@ -44,8 +30,8 @@ static const struct variant *const variants[ENCODER_COUNT] = {
 const struct variant_table encode_table = {
     .name = "encoders",
     .doc = "what -o writes, chosen by the extension of the output",
-    .rows = variants,
-    .count = ENCODER_COUNT,
+    .rows = rows,
+    .count = sizeof rows / sizeof *rows,
 };
 
 /* ".mp4" fits any NAME.mp4; "null" fits only itself. */
@@ -76,10 +62,11 @@ const struct encoder_row *encode_find(const char *path, struct error *e)
 {
     char known[400] = "";
     size_t used = 0;
-    for (size_t i = 0; i < ENCODER_COUNT; i++) {
-        if (known_extension(encoders[i], path))
-            return encoders[i];
-        for (const char *const *x = encoders[i]->extensions; *x; x++)
+    for (size_t i = 0; i < encode_table.count; i++) {
+        const struct encoder_row *row = (const struct encoder_row *)rows[i];
+        if (known_extension(row, path))
+            return row;
+        for (const char *const *x = row->extensions; *x; x++)
             if (used < sizeof known)
                 used += (size_t)snprintf(known + used, sizeof known - used, "%s%s%s",
                                          used ? ", " : "", **x == '.' ? "NAME" : "", *x);

@@ -54,6 +54,7 @@ struct encoder_row {
     const char *const *extensions; /* ".mp4", NULL-terminated; or the whole word "null", "hash" */
     const struct container *container; /* of a film; else NULL */
     bool wants_pixels;             /* false: the run may skip drawing altogether */
+    bool wants_raw;                /* image->raw, too */
     bool wants_rows;               /* of measured numbers, by `row` */
     /* What only this encoder can say about a target before the run; writes nothing. May be NULL. */
     enum status (*check)(const struct encode_target *, struct error *);

@@ -116,7 +116,32 @@ static struct tile *tile_of(struct canvas *c, int i)
     return tile;
 }
 
-static void spheres_draw(struct canvas *c, const struct splat *splat)
+/* What each pixel of a filled tile shows: the nearest of its samples. */
+static void raw_keep(const struct canvas *c, const struct render_frame *frame, const struct tile *tile,
+                     struct image *image)
+{
+    const int n = c->samples;
+    for (int y = 0; y < tile->height / n; y++)
+        for (int x = 0; x < tile->width / n; x++) {
+            float depth = INFINITY;
+            uint32_t ball = UINT32_MAX;
+            for (int j = 0; j < n * n; j++) {
+                int row = y * n + j / n, column = x * n + j % n;
+                if (tile->depth[row][column] < depth) {
+                    depth = tile->depth[row][column];
+                    ball = tile->ball[row][column];
+                }
+            }
+            float *raw = image->raw + RAW_PLANES * ((size_t)(tile->top / n + y) * (size_t)image->width +
+                                                    (size_t)(tile->left / n + x));
+            raw[RAW_DEPTH] = depth;
+            raw[RAW_VALUE] = ball == UINT32_MAX || !frame->value ? NAN : frame->value[ball];
+            raw[RAW_ID] = ball == UINT32_MAX ? -1 : (float)ball;
+        }
+}
+
+static void spheres_draw(struct canvas *c, const struct splat *splat, const struct render_frame *frame,
+                         struct image *image)
 {
     const int count = c->balls.bins.columns * c->balls.bins.rows;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
@@ -124,6 +149,8 @@ static void spheres_draw(struct canvas *c, const struct splat *splat)
         struct tile *tile = tile_of(c, i);
         const struct ball_list list = balls_of_tile(&c->balls, i);
         c->isa->fill(splat, tile, &list);
+        if (image->raw)
+            raw_keep(c, frame, tile, image);
         c->isa->shade(splat, tile);
         c->isa->finish(splat, tile);
     }
@@ -142,7 +169,8 @@ static void surface_smooth_all(struct canvas *c, size_t step)
 
 enum { SURFACE_ROUNDS = 3 };
 
-static void surface_draw(struct canvas *c, const struct splat *splat)
+static void surface_draw(struct canvas *c, const struct splat *splat, const struct render_frame *frame,
+                         struct image *image)
 {
     const int count = c->balls.bins.columns * c->balls.bins.rows;
     struct surface *f = &c->surface;
@@ -151,6 +179,8 @@ static void surface_draw(struct canvas *c, const struct splat *splat)
         struct tile *tile = tile_of(c, i);
         const struct ball_list list = balls_of_tile(&c->balls, i);
         c->isa->fill(splat, tile, &list);
+        if (image->raw)
+            raw_keep(c, frame, tile, image);
         c->isa->surface->keep(f, tile);
         if (!f->opaque)
             c->isa->surface->thicken(splat, f, tile, &list);
@@ -234,9 +264,9 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
         wire_make(&wire, scene, camera, far_distance(c, camera), c->samples);
     splat.blend_count = blends_make(&wire, c->width, c->height, blends);
     if (c->has_surface)
-        surface_draw(c, &splat);
+        surface_draw(c, &splat, frame, image);
     else
-        spheres_draw(c, &splat);
+        spheres_draw(c, &splat, frame, image);
     return STATUS_OK;
 }
 

@@ -131,6 +131,8 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     const char *cannot = NULL;
     if (strcmp(setup->scene->render.style, "surface") == 0)
         cannot = "render.style surface";
+    if (setup->raw)
+        cannot = "a raw image (pfm)";
     if (setup->scene->render.occlusion > 0)
         cannot = "render.occlusion";
     if (setup->scene->camera.projection == PROJECTION_ORTHOGRAPHIC)

@@ -26,6 +26,7 @@ struct render_setup {
     uint8_t palette[MAP_SIZE][3];/* colours from the low to the high end */
     const char *label, *unit;    /* of the colour bar: "speed", "m/s" */
     const char *(*name)(const struct scene *scene, size_t number); /* of counts, or NULL */
+    bool raw;                    /* images get raw numbers */
     bool solid;                  /* no colour map: particles carry their own colour */
 };
 

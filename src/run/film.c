@@ -195,26 +195,42 @@ static struct encode_target target_of(const struct film_setup *setup, size_t out
     };
 }
 
-bool film_wants_pixels(const char *const *outputs, size_t count)
+/* Whether the row of any output has what `has` looks at. */
+static bool any_output(const char *const *outputs, size_t count, bool (*has)(const struct encoder_row *))
 {
     struct error ignored;
     for (size_t i = 0; i < count; i++) {
         const struct encoder_row *row = encode_find(outputs[i], &ignored);
-        if (row && row->wants_pixels)
+        if (row && has(row))
             return true;
     }
     return false;
 }
 
+static bool has_pixels(const struct encoder_row *row)
+{
+    return row->wants_pixels;
+}
+static bool has_rows(const struct encoder_row *row)
+{
+    return row->wants_rows;
+}
+static bool has_raw(const struct encoder_row *row)
+{
+    return row->wants_raw;
+}
+
+bool film_wants_pixels(const char *const *outputs, size_t count)
+{
+    return any_output(outputs, count, has_pixels);
+}
 bool film_wants_rows(const char *const *outputs, size_t count)
 {
-    struct error ignored;
-    for (size_t i = 0; i < count; i++) {
-        const struct encoder_row *row = encode_find(outputs[i], &ignored);
-        if (row && row->wants_rows)
-            return true;
-    }
-    return false;
+    return any_output(outputs, count, has_rows);
+}
+bool film_wants_raw(const char *const *outputs, size_t count)
+{
+    return any_output(outputs, count, has_raw);
 }
 
 static enum status check_outputs(const struct film_setup *setup, struct error *e)
@@ -292,7 +308,9 @@ static enum status open_pictures(struct film *film, struct error *e)
     if (sheet[0] && sheet_open(&film->sheet, film->setup.render, sheet, e))
         return e->status;
     for (size_t i = 0; i < (film->setup.single && !sheet[0] ? 1 : FILM_IMAGES); i++) {
-        if (image_create(&film->pictures[i].image, size[0], size[1], e))
+        struct image *image = &film->pictures[i].image;
+        if (image_create(image, size[0], size[1], e) ||
+            (film->setup.render->raw && image_create_raw(image, e)))
             return e->status;
         queue_push(&film->pictures_idle, &film->pictures[i]);
     }
