@@ -111,6 +111,8 @@ enum status output_close(struct output_file *file, bool keep, struct error *e)
     bool good = !keep || (!ferror(file->stream) && fflush(file->stream) == 0 &&
                           fsync(fileno(file->stream)) == 0);
     int why = errno;
+    if (!good && why == 0 && write(fileno(file->stream), "", 1) < 0)
+        why = errno; /* what stopped an earlier write stops one more: it says why */
     if (fclose(file->stream) != 0 && good && keep) {
         good = false;
         why = errno;
