@@ -18,7 +18,9 @@ struct sheet {
     int cells[2];
     int count;               /* pictures so far */
     int gap, band;           /* pixels between columns, and under a picture */
-    struct image image, cell; /* the sheet; a picture with its band */
+    struct image image, cell; /* the sheet; a picture with its band, and room above and beside it that
+                                 the smallest text asks for */
+    int width, height;        /* of a picture, pixels */
     struct scene labels;     /* a scene that asks for nothing but a time stamp */
     struct render_setup setup; /* of the labels */
     struct overlay *overlay;
@@ -78,8 +80,12 @@ enum status sheet_open(struct sheet **sheet, const struct render_setup *setup, c
     measure(scene, &s->gap, &s->band);
     sheet_size(scene, cells, size);
     s->setup.scene = &s->labels;
+    s->width = picture[0];
+    s->height = picture[1];
+    if (s->labels.movie.size[1] < picture[1] + s->band)
+        s->labels.movie.size[1] = picture[1] + s->band;
     if (image_create(&s->image, size[0], size[1], e) ||
-        image_create(&s->cell, picture[0], picture[1] + s->band, e) ||
+        image_create(&s->cell, s->labels.movie.size[0], s->labels.movie.size[1], e) ||
         overlay_open(&s->overlay, &s->setup, e)) {
         sheet_close(s);
         return e->status;
@@ -92,18 +98,20 @@ enum status sheet_open(struct sheet **sheet, const struct render_setup *setup, c
 void sheet_add(struct sheet *s, double time, const struct image *picture)
 {
     int column = s->count % s->cells[0], row = s->count / s->cells[0];
-    size_t left = (size_t)(s->gap + column * (s->cell.width + s->gap));
-    size_t top = (size_t)(s->gap + row * s->cell.height);
-    size_t line = (size_t)s->cell.width * 4;
+    size_t left = (size_t)(s->gap + column * (s->width + s->gap));
+    size_t top = (size_t)(s->gap + row * (s->height + s->band));
+    size_t line = (size_t)s->width * 4, above = (size_t)(s->cell.height - s->band - s->height);
     if (row >= s->cells[1])
         return;
     s->count++;
     fill(&s->cell, s->labels.render.background);
-    memcpy(s->cell.rgba, picture->rgba, line * (size_t)picture->height);
+    uint8_t *cell = s->cell.rgba + above * (size_t)s->cell.width * 4;
+    for (size_t y = 0; y < (size_t)s->height; y++)
+        memcpy(cell + y * (size_t)s->cell.width * 4, picture->rgba + y * line, line);
     overlay_draw(s->overlay, &(struct render_frame){.time = time}, &s->cell);
-    for (size_t y = 0; y < (size_t)s->cell.height; y++)
+    for (size_t y = 0; y < (size_t)(s->height + s->band); y++)
         memcpy(s->image.rgba + ((top + y) * (size_t)s->image.width + left) * 4,
-               s->cell.rgba + y * line, line);
+               cell + y * (size_t)s->cell.width * 4, line);
 }
 
 const struct image *sheet_image(const struct sheet *sheet)
