@@ -66,7 +66,7 @@ struct splat {
 
 struct tile {
     int left, top, width, height; /* samples */
-    float depth[TILE][TILE];      /* INFINITY: nothing */
+    _Alignas(64) float depth[TILE][TILE]; /* INFINITY: nothing; the struct is a multiple of a cache line */
     uint32_t ball[TILE][TILE];    /* UINT32_MAX: none */
     float far[BLOCKS][BLOCKS];    /* largest depth of a block */
     bool stale[BLOCKS][BLOCKS];   /* that it must be found anew */
