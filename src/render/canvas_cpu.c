@@ -140,6 +140,18 @@ static void raw_keep(const struct canvas *c, const struct render_frame *frame, c
         }
 }
 
+/* Finds what tile i shows; returns the spheres that may cover it. */
+static struct ball_list tile_find(struct canvas *c, int i, const struct splat *splat,
+                                  const struct render_frame *frame, struct tile *tile,
+                                  struct image *image)
+{
+    const struct ball_list list = balls_of_tile(&c->balls, i);
+    c->isa->fill(splat, tile, &list);
+    if (image->raw)
+        raw_keep(c, frame, tile, image);
+    return list;
+}
+
 static void spheres_draw(struct canvas *c, const struct splat *splat, const struct render_frame *frame,
                          struct image *image)
 {
@@ -147,10 +159,7 @@ static void spheres_draw(struct canvas *c, const struct splat *splat, const stru
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
     for (int i = 0; i < count; i++) {
         struct tile *tile = tile_of(c, i);
-        const struct ball_list list = balls_of_tile(&c->balls, i);
-        c->isa->fill(splat, tile, &list);
-        if (image->raw)
-            raw_keep(c, frame, tile, image);
+        tile_find(c, i, splat, frame, tile, image);
         c->isa->shade(splat, tile);
         c->isa->finish(splat, tile);
     }
@@ -177,10 +186,7 @@ static void surface_draw(struct canvas *c, const struct splat *splat, const stru
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
     for (int i = 0; i < count; i++) {
         struct tile *tile = tile_of(c, i);
-        const struct ball_list list = balls_of_tile(&c->balls, i);
-        c->isa->fill(splat, tile, &list);
-        if (image->raw)
-            raw_keep(c, frame, tile, image);
+        const struct ball_list list = tile_find(c, i, splat, frame, tile, image);
         c->isa->surface->keep(f, tile);
         if (!f->opaque)
             c->isa->surface->thicken(splat, f, tile, &list);
