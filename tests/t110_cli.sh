@@ -80,8 +80,9 @@ run 2 "--from soon: give a time" bench $scene --from soon
 run 2 "--isa avx is unknown" bench $scene --isa avx
 run 2 "--steps 0: give a whole number" bench $scene --steps 0
 run 0 "pairs per second" bench tests/scenes/dam.json --steps 1 --set solver.density=summation
-"$SPH" bench $scene --steps 1 --json --set 'title="say \"on\""' 2>"$work/out" | jq -e . >>"$work/out" 2>&1
-result $? "bench --json quotes titles"
+"$SPH" bench $scene --steps 1 --json --set 'title="say \"on\""' 2>"$work/out" |
+    jq -e ".scenes[0].runs_per_step.force == 1 or .scenes[0].runs_per_step.product >= 1" >>"$work/out" 2>&1
+result $? "bench --json quotes titles, counts runs"
 
 # A message begins with the place: FILE:LINE:COLUMN.
 bad() { # NAME LINE:COLUMN TEXT; the file is on stdin

@@ -28,6 +28,7 @@ struct result {
     double particles, steps, sorts, time, dt; /* count, count, count, s, s */
     double ns, pairs_per_second, pairs_per_particle, peak, share;
     double phase[PASS_COUNT]; /* ns per particle and step */
+    double runs[PASS_COUNT];  /* per step: iterations, of what solves repeat */
     double solve_s; /* measured, s */
 };
 
@@ -104,8 +105,10 @@ static void collect(struct simulation *s, const struct backend_counts *before, l
     r->pairs_per_particle = work > 0 ? pairs / work : 0;
     r->peak = s->row->peak(s->backend);
     r->share = pair_force_flops(s->plan->choice.flags) * pairs / elapsed / r->peak;
-    for (int p = 0; p < PASS_COUNT && work > 0; p++)
+    for (int p = 0; p < PASS_COUNT && work > 0; p++) {
         r->phase[p] = (now->seconds[p] - before->seconds[p]) * 1e9 / work;
+        r->runs[p] = (double)(now->runs[p] - before->runs[p]) / (double)steps;
+    }
 }
 
 static enum status measure(const struct bench *b, const char *path, struct result *r,
@@ -157,6 +160,13 @@ static void print_json(const struct result *r, size_t count)
                 printf("%s\"%s\": %.4f", comma, pass_table[p].name, r->phase[p]);
                 comma = ", ";
             }
+        fputs("}, \"runs_per_step\": {", stdout);
+        comma = "";
+        for (int p = 0; p < PASS_COUNT; p++)
+            if (r->phase[p] > 0) {
+                printf("%s\"%s\": %.4g", comma, pass_table[p].name, r->runs[p]);
+                comma = ", ";
+            }
         fputs("}}", stdout);
     }
     fputs("\n]}\n", stdout);
@@ -175,8 +185,8 @@ static void print_table(const struct result *r, size_t count)
                r->peak * 1e-9);
         for (int p = 0; p < PASS_COUNT; p++)
             if (r->phase[p] > 0)
-                printf("  %8.1f ns  %5.1f %%  %s\n", r->phase[p], 100 * r->phase[p] / r->ns,
-                       pass_table[p].name);
+                printf("  %8.1f ns  %5.1f %%  %-10s %6.3g a step\n", r->phase[p],
+                       100 * r->phase[p] / r->ns, pass_table[p].name, r->runs[p]);
     }
 }
 
