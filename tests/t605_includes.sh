@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests that includes point only downwards: a room sees the rooms before it, and only main exits.
 . tests/tap.sh
-order="base scene particles grid solver backend render compare encode run tools main.c"
+order="base scene particles grid solver backend render compare encode run study tools main.c"
 
 # position ROOM: its place in the order
 position() { echo "$order" | tr ' ' '\n' | grep -nx -e "$1" | cut -d: -f1; }
@@ -46,6 +46,7 @@ only render base scene particles
 only particles base scene
 only grid base particles
 only solver base scene particles
+only study base scene run
 
 grep -rnwE '_?exit *\(|quick_exit *\(|abort *\(' src --include='*.[ch]' |
     grep -vE '^src/main\.c:|/\*.*exit.*\*/|_exit\(STATUS_INTERRUPTED\)' >"$work/out"

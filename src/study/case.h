@@ -1,0 +1,42 @@
+/* Validation cases: what each measures of its scene, and its errors against what is known. */
+#ifndef STUDY_CASE_H
+#define STUDY_CASE_H
+
+#include "base/variant.h"
+#include "scene/scene.h"
+#include "study/columns.h"
+
+#include <stdio.h>
+
+enum { ERRORS_MAX = 32 };
+
+/* One error of a run against a reference. */
+struct study_error {
+    char name[96];    /* "kinetic energy at t = 1 s" */
+    double value;     /* with its sign where it has one */
+    const char *unit; /* "%": a part of the reference, printed times 100; "m" ...; "" for none */
+    double asked;     /* bound of |value| that is aimed at; NAN: none */
+};
+
+struct study_errors {
+    struct study_error items[ERRORS_MAX];
+    size_t count;
+};
+
+struct case_row {
+    struct variant variant; /* the doc says what is compared, and the source of the reference */
+    double interval;        /* s between rows; 0: the scene's frames */
+    /* Writes the elements of the scene's list "measure" as JSON, without brackets. */
+    void (*measure)(const struct scene *scene, FILE *out);
+    /* STATUS_RUN with the reason when the run did not reach what is compared. */
+    enum status (*compare)(const struct columns *columns, const struct scene *scene,
+                           struct study_errors *errors, struct error *e);
+};
+
+extern const struct variant_table case_table; /* "cases" */
+
+/* Appends an error; what a table cannot hold is a programming mistake and left out. */
+void study_error_add(struct study_errors *errors, double value, const char *unit, double asked,
+                     const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+#endif
