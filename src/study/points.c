@@ -132,6 +132,27 @@ static enum status name_folder(struct study_point *point, const char *method, st
     return STATUS_OK;
 }
 
+/* The scene with the settings of study, method and rung, in that order. */
+static enum status apply(struct study_point *point, const struct study *study,
+                         const struct study_set *rung, const struct study_method *method,
+                         struct study_set *set, struct error *e)
+{
+    uint64_t plain = 0;
+    struct error ignored; /* a scene may need its rung */
+    enum status status = take_run_settings(point, &study->set, set, e);
+    if (!status && method)
+        status = take_run_settings(point, &method->set, set, e);
+    if (!status && method && load(point, study, set, &ignored) == STATUS_OK)
+        plain = scene_hash(point->scene, &run_vocabulary);
+    if (!status)
+        status = take_run_settings(point, rung, set, e);
+    if (!status)
+        status = load(point, study, set, e);
+    if (!status)
+        point->shipped = method && scene_hash(point->scene, &run_vocabulary) == plain;
+    return status;
+}
+
 static enum status point_create(struct study_point *point, const struct study *study,
                                 const struct study_set *rung, const struct study_method *method,
                                 struct error *e)
@@ -140,13 +161,7 @@ static enum status point_create(struct study_point *point, const struct study *s
     struct run_options options = {.backend = "auto", .renderer = "auto", .isa = "auto"};
     strcpy(point->isa, "auto");
     point->energy_drift = point->momentum_drift = point->order = (double)NAN;
-    enum status status = take_run_settings(point, &study->set, &set, e);
-    if (!status && method)
-        status = take_run_settings(point, &method->set, &set, e);
-    if (!status)
-        status = take_run_settings(point, rung, &set, e);
-    if (!status)
-        status = load(point, study, &set, e);
+    enum status status = apply(point, study, rung, method, &set, e);
     if (!status)
         status = set_products(study, point->scene, &set, e);
     if (!status)

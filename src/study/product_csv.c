@@ -42,7 +42,7 @@ static double median(const double *values, int count)
 static void write_names(const struct study_points *points, FILE *out)
 {
     fputs("ladder,method,key,value,outcome,cause,particles,spacing (m),threads,isa,repeats,"
-          "wall (s),wall median (s),processor (s),pairs,steps,rejected,mean step (s),iterations a step,"
+          "wall (s),wall median (s),processor (s),ns a particle and step,pairs,steps,rejected,mean step (s),iterations a step,"
           "bytes,energy drift,momentum drift,state,folder", out);
     for (size_t k = 0; k < points->count; k++)
         if (points->items[k].errors.count) {
@@ -71,7 +71,8 @@ static void write_point(const struct study_point *p, FILE *out)
     write_number(ran ? p->particles : p->guess, out);
     write_number(p->scene->particles.spacing, out);
     fprintf(out, ",%d,%s,%d", p->threads, p->isa, p->repeats);
-    const double numbers[] = {study_wall(p), median(p->wall, p->repeats), study_cpu(p), p->pairs,
+    const double numbers[] = {study_wall(p), median(p->wall, p->repeats), study_cpu(p),
+                              study_wall(p) * 1e9 / p->steps / p->particles, p->pairs,
                               p->steps, p->rejected, p->dt, p->iterations, p->bytes,
                               p->energy_drift, p->momentum_drift};
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)

@@ -34,7 +34,10 @@ size_t study_plots(const struct study_results *results, size_t *places, size_t m
         if (place >= 0)
             places[count++] = (size_t)place;
     }
-    if (!study->plot_count && most > 0)
+    bool any = false;
+    for (size_t k = 0; k < results->points->count; k++)
+        any = any || results->points->items[k].errors.count;
+    if (!study->plot_count && any && most > 0)
         places[count++] = 0;
     return count;
 }

@@ -100,6 +100,7 @@ struct study_point {
     int threads;                  /* 0: all processors */
     char isa[16];                 /* row of "isas", or "auto" */
     double guess;                 /* particles, estimated */
+    bool shipped;                 /* the rung changes nothing of the scene */
 
     enum outcome outcome;
     char cause[400];              /* of what is not done */

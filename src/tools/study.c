@@ -7,12 +7,14 @@
 #include "tools/tools.h"
 
 #include <argp.h>
+#include <errno.h>
 #include <libgen.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
 enum { STUDIES_MAX = 64 };
@@ -139,6 +141,24 @@ static enum status work(const struct request *r, const struct study *study,
     return check_plots(study, points, e);
 }
 
+/* As mkdir -p. */
+static enum status make_directories(const char *path, struct error *e)
+{
+    char copy[PATH_MAX];
+    if (snprintf(copy, sizeof copy, "%s", path) >= (int)sizeof copy)
+        return error_set(e, STATUS_OUTPUT, "-o %.100s...: the name is too long", path);
+    for (char *slash = copy; slash;) {
+        slash = strchr(slash + 1, '/');
+        if (slash)
+            *slash = 0;
+        if (mkdir(copy, 0777) && errno != EEXIST)
+            return error_set(e, STATUS_OUTPUT, "-o %s: %s: %s", path, copy, strerror(errno));
+        if (slash)
+            *slash = '/';
+    }
+    return STATUS_OK;
+}
+
 static enum status run_study(const struct request *r, const char *path, const char *directory,
                              double budget, struct error *e)
 {
@@ -149,6 +169,7 @@ static enum status run_study(const struct request *r, const char *path, const ch
         if (r->repeats)
             study.repeats = r->repeats;
         if (study_points_create(&points, &study, e) == STATUS_OK &&
+            make_directories(directory, e) == STATUS_OK &&
             output_claim(&claim, directory, e) == STATUS_OK)
             work(r, &study, &points, directory, budget, e);
     }
@@ -198,8 +219,9 @@ static int study_run_tool(int argc, char **argv)
     double start = clock_seconds();
     for (size_t k = 0; k < r.count && !e.status; k++) {
         char directory[PATH_MAX];
+        double left = r.budget - (clock_seconds() - start), share = left / (double)(r.count - k);
         name_directory(&r, r.studies[k], directory, sizeof directory);
-        run_study(&r, r.studies[k], directory, r.budget - (clock_seconds() - start), &e);
+        run_study(&r, r.studies[k], directory, share, &e);
     }
     if (e.status && e.text[0])
         log_error("%s", e.text);
