@@ -52,8 +52,11 @@ static double predict(const struct schedule *s, const struct study_point *point)
 static void leave_out(struct study_point *point, double needs, double left)
 {
     point->outcome = OUTCOME_LEFT_OUT;
-    snprintf(point->cause, sizeof point->cause,
-             "needs about %.3g s, and %.3g s of the budget are left", needs, fmax(left, 0));
+    if (left <= 0)
+        snprintf(point->cause, sizeof point->cause, "the budget is used up");
+    else
+        snprintf(point->cause, sizeof point->cause,
+                 "needs about %.3g s, and %.3g s of the budget are left", needs, left);
 }
 
 /* Makes a run, or finds it. Nothing is made once a run of the point failed. */
@@ -65,11 +68,14 @@ static enum status turn(struct schedule *s, struct study_point *point, int repea
     if (!record_load(point, s->directory, repeat, limit)) {
         if (left <= 0 || needs > left) {
             if (repeat == 0)
-                leave_out(point, isnan(needs) ? 0 : needs, left);
+                leave_out(point, needs, left);
             return STATUS_OK;
         }
         if (record_make(point, s->directory, repeat, limit, e))
             return e->status;
+        if (point->outcome == OUTCOME_LATE && limit < s->study->limit)
+            snprintf(point->cause, sizeof point->cause,
+                     "took longer than the %.3g s of the budget that were left", limit);
     }
     if (point->outcome == OUTCOME_DONE)
         return record_times(point, s->directory, repeat, e);

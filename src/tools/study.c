@@ -1,5 +1,6 @@
 /* sph-render study: error against run time over methods and ladders of settings. */
 #include "base/log.h"
+#include "base/memory.h"
 #include "base/output.h"
 #include "study/products.h"
 #include "study/record.h"
@@ -25,6 +26,15 @@ struct request {
     double budget; /* s */
     int repeats;   /* 0: the study's */
     char *command;
+};
+
+/* A study and its runs. */
+struct job {
+    struct study study;
+    struct study_points points;
+    struct study_about about;
+    struct output_claim claim;
+    char directory[PATH_MAX];
 };
 
 /* "90", "90s", "20m", "1.5h" to seconds; NAN otherwise. */
@@ -123,22 +133,20 @@ static enum status check_plots(const struct study *study, const struct study_poi
     return STATUS_OK;
 }
 
-static enum status work(const struct request *r, const struct study *study,
-                        struct study_points *points, const char *directory, double budget,
-                        struct error *e)
+static enum status work(struct job *job, double budget, struct error *e)
 {
-    struct study_about about = {.command = r->command};
-    struct study_results results = {study, points, &about, directory};
+    struct study_results results = {&job->study, &job->points, &job->about, job->directory};
     time_t now = time(NULL);
     struct tm parts;
-    strftime(about.date, sizeof about.date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
-    about.speed[0] = machine_speed();
-    if (study_run(study, points, directory, budget, e) || judge(study, points, directory, e))
+    strftime(job->about.date, sizeof job->about.date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
+    job->about.speed[0] = machine_speed();
+    if (study_run(&job->study, &job->points, job->directory, budget, e) ||
+        judge(&job->study, &job->points, job->directory, e))
         return e->status;
-    about.speed[1] = machine_speed();
+    job->about.speed[1] = machine_speed();
     if (study_write(&results, e))
         return e->status;
-    return check_plots(study, points, e);
+    return check_plots(&job->study, &job->points, e);
 }
 
 /* As mkdir -p. */
@@ -159,26 +167,6 @@ static enum status make_directories(const char *path, struct error *e)
     return STATUS_OK;
 }
 
-static enum status run_study(const struct request *r, const char *path, const char *directory,
-                             double budget, struct error *e)
-{
-    struct study study;
-    struct study_points points = {0};
-    struct output_claim claim = {NULL, -1};
-    if (study_read(&study, path, e) == STATUS_OK) {
-        if (r->repeats)
-            study.repeats = r->repeats;
-        if (study_points_create(&points, &study, e) == STATUS_OK &&
-            make_directories(directory, e) == STATUS_OK &&
-            output_claim(&claim, directory, e) == STATUS_OK)
-            work(r, &study, &points, directory, budget, e);
-    }
-    output_release(&claim);
-    study_points_free(&points);
-    study_free(&study);
-    return e->status;
-}
-
 /* DIR for one study, DIR/NAME for each of several. */
 static void name_directory(const struct request *r, const char *study, char *out, size_t size)
 {
@@ -188,6 +176,44 @@ static void name_directory(const struct request *r, const char *study, char *out
     if (dot)
         *dot = 0;
     snprintf(out, size, "%s%s%s", r->directory, r->count > 1 ? "/" : "", r->count > 1 ? name : "");
+}
+
+/* Reads and checks a study, and claims its directory. */
+static enum status job_open(struct job *job, const struct request *r, const char *path,
+                            struct error *e)
+{
+    job->claim.file = -1;
+    job->about.command = r->command;
+    if (study_read(&job->study, path, e))
+        return e->status;
+    if (r->repeats)
+        job->study.repeats = r->repeats;
+    name_directory(r, path, job->directory, sizeof job->directory);
+    return study_points_create(&job->points, &job->study, e);
+}
+
+static void job_close(struct job *job)
+{
+    output_release(&job->claim);
+    study_points_free(&job->points);
+    study_free(&job->study);
+}
+
+/* All are read before anything is run or written; those that are left share the budget that is. */
+static enum status run_all(const struct request *r, struct job *jobs, struct error *e)
+{
+    double start = clock_seconds();
+    for (size_t k = 0; k < r->count; k++)
+        if (job_open(&jobs[k], r, r->studies[k], e))
+            return e->status;
+    for (size_t k = 0; k < r->count; k++) {
+        double left = r->budget - (clock_seconds() - start);
+        if (make_directories(jobs[k].directory, e) ||
+            output_claim(&jobs[k].claim, jobs[k].directory, e) ||
+            work(&jobs[k], left / (double)(r->count - k), e))
+            return e->status;
+    }
+    return STATUS_OK;
 }
 
 static char *join(int argc, char **argv)
@@ -216,13 +242,12 @@ static int study_run_tool(int argc, char **argv)
     argv[0] = name;
     if (argp_parse(&parser, argc, argv, 0, NULL, &r))
         e.status = STATUS_USAGE;
-    double start = clock_seconds();
-    for (size_t k = 0; k < r.count && !e.status; k++) {
-        char directory[PATH_MAX];
-        double left = r.budget - (clock_seconds() - start), share = left / (double)(r.count - k);
-        name_directory(&r, r.studies[k], directory, sizeof directory);
-        run_study(&r, r.studies[k], directory, share, &e);
-    }
+    struct job *jobs = e.status ? NULL : memory_create("studies", r.count, sizeof *jobs, &e);
+    if (jobs)
+        run_all(&r, jobs, &e);
+    for (size_t k = 0; jobs && k < r.count; k++)
+        job_close(&jobs[k]);
+    memory_free(jobs);
     if (e.status && e.text[0])
         log_error("%s", e.text);
     free(r.command);
