@@ -52,7 +52,7 @@ static void draw(const struct how *how, void (*change)(struct scene *), struct i
     struct render_frame frame = {.count = cloud.count, .position = cloud.position,
                                  .value = cloud.value};
     fixture_scene(&scene, WIDTH, HEIGHT);
-    scene.render.box = true;
+    scene.render.box = BOX_LINES;
     for (int k = 0; k < 3; k++)
         scene.render.background[k] = 0.9;
     change(&scene);

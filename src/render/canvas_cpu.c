@@ -12,6 +12,8 @@
 
 struct canvas {
     struct render_setup setup;
+    struct wire wire;     /* the domain, and its triangles */
+    struct blends blends;
     const struct splat_isa *isa;
     int threads, samples; /* samples per pixel, in x and in y */
     int width, height;    /* samples */
@@ -43,6 +45,8 @@ static void canvas_close(void *canvas)
     if (!c)
         return;
     balls_free(&c->balls);
+    wire_free(&c->wire);
+    blends_free(&c->blends);
     surface_close(&c->surface);
     free(c->ray_x);
     free(c->ray_y);
@@ -227,6 +231,17 @@ static void background_make(const struct canvas *c, struct splat *splat)
     }
 }
 
+/* Triangles of the domain; none where it is not shown. */
+static enum status domain_make(struct canvas *c, const struct camera *camera, struct error *e)
+{
+    const struct scene *scene = c->setup.scene;
+    if (!wire_wanted(scene))
+        return STATUS_OK;
+    if (wire_make(&c->wire, scene, camera, far_distance(c, camera), c->samples, e))
+        return e->status;
+    return blends_make(&c->blends, &c->wire, BLEND_ALL, c->width, c->height, e);
+}
+
 enum { SURFACE_LENGTHS = 16 }; /* light decays by e in this part of the domain's largest side */
 
 /* Spheres of a surface overlap: they are larger than those that are drawn as such. */
@@ -249,11 +264,9 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     struct canvas *c = canvas;
     const struct scene *scene = c->setup.scene;
     const double radius = c->has_surface ? surface_prepare(c, camera) : c->setup.radius;
-    struct wire wire = {.count = 0};
-    struct blend blends[BLENDS_MAX];
     struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, 
                           .lens = camera->orthographic ? 0 : 1, .radius = (float)radius,
-                          .look = look_make(scene->render.outline), .blends = blends,
+                          .look = look_make(scene->render.outline),
                           .samples = c->samples, .rgba = image->rgba,
                           .pitch = (size_t)image->width};
     struct ball_view view = {.camera = camera, .radius = radius, .width = c->width,
@@ -266,9 +279,10 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     if (balls_make(&c->balls, &view, frame, e))
         return e->status;
     splat.balls = c->balls.ball;
-    if (scene->render.box)
-        wire_make(&wire, scene, camera, far_distance(c, camera), c->samples);
-    splat.blend_count = blends_make(&wire, c->width, c->height, blends);
+    if (domain_make(c, camera, e))
+        return e->status;
+    splat.blends = c->blends.blend;
+    splat.blend_count = c->blends.count;
     if (c->has_surface)
         surface_draw(c, &splat, frame, image);
     else
