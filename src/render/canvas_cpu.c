@@ -13,7 +13,7 @@
 struct canvas {
     struct render_setup setup;
     struct wire wire;     /* the domain, and its triangles */
-    struct blends blends;
+    struct blends blends, back; /* back: seen through a fluid */
     const struct splat_isa *isa;
     int threads, samples; /* samples per pixel, in x and in y */
     int width, height;    /* samples */
@@ -47,6 +47,7 @@ static void canvas_close(void *canvas)
     balls_free(&c->balls);
     wire_free(&c->wire);
     blends_free(&c->blends);
+    blends_free(&c->back);
     surface_close(&c->surface);
     free(c->ray_x);
     free(c->ray_y);
@@ -60,7 +61,7 @@ static enum status room_make(struct canvas *c, struct error *e)
     c->ray_x = calloc(width, sizeof *c->ray_x);
     c->ray_y = calloc(height, sizeof *c->ray_y);
     c->tiles = aligned_alloc(64, (size_t)c->threads * sizeof *c->tiles);
-    bool ok = !c->has_surface || surface_open(&c->surface, c->width, c->height);
+    bool ok = !c->has_surface || surface_open(&c->surface, c->width, c->height, !c->setup.solid);
     if (!ok || !c->ray_x || !c->ray_y || !c->tiles)
         return error_set(e, STATUS_RUN, "out of memory for the picture");
     return STATUS_OK;
@@ -180,6 +181,17 @@ static void surface_smooth_all(struct canvas *c, size_t step)
     f->other = depth;
 }
 
+static void surface_soften_all(struct canvas *c, size_t step)
+{
+    struct surface *f = &c->surface;
+#pragma omp parallel for schedule(dynamic, 8) num_threads(c->threads)
+    for (int y = 0; y < f->height; y++)
+        c->isa->surface->soften(f, y, step);
+    float *thickness = f->thickness;
+    f->thickness = f->other;
+    f->other = thickness;
+}
+
 enum { SURFACE_ROUNDS = 3 };
 
 static void surface_draw(struct canvas *c, const struct splat *splat, const struct render_frame *frame,
@@ -194,10 +206,16 @@ static void surface_draw(struct canvas *c, const struct splat *splat, const stru
         c->isa->surface->keep(f, tile);
         if (!f->opaque)
             c->isa->surface->thicken(splat, f, tile, &list);
+        if (f->back_count)
+            c->isa->surface->behind(splat, f, tile);
     }
     for (int round = 0; round < SURFACE_ROUNDS; round++) {
         surface_smooth_all(c, 1);
         surface_smooth_all(c, f->pitch);
+    }
+    if (!f->opaque) {
+        surface_soften_all(c, 1);
+        surface_soften_all(c, f->pitch);
     }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
     for (int i = 0; i < count; i++) {
@@ -239,7 +257,14 @@ static enum status domain_make(struct canvas *c, const struct camera *camera, st
         return STATUS_OK;
     if (wire_make(&c->wire, scene, camera, far_distance(c, camera), c->samples, e))
         return e->status;
-    return blends_make(&c->blends, &c->wire, BLEND_ALL, c->width, c->height, e);
+    const bool through = c->has_surface && !c->surface.opaque;
+    if (blends_make(&c->blends, &c->wire, through ? BLEND_OVER : BLEND_ALL, c->width, c->height, e))
+        return e->status;
+    if (through && blends_make(&c->back, &c->wire, BLEND_BACK, c->width, c->height, e))
+        return e->status;
+    c->surface.back = c->back.blend;
+    c->surface.back_count = c->back.count;
+    return STATUS_OK;
 }
 
 enum { SURFACE_LENGTHS = 16 }; /* light decays by e in this part of the domain's largest side */
@@ -254,7 +279,7 @@ static double surface_prepare(struct canvas *c, const struct camera *camera)
     surface_scale(&c->surface, radius, scene->particles.spacing, c->height / 2.0 / camera_half_y(camera));
     c->surface.parallel = camera->orthographic;
     c->surface.clarity = (float)(side / SURFACE_LENGTHS);
-    c->surface.opaque = !c->setup.solid;
+    surface_view(&c->surface, camera, scene);
     return radius;
 }
 
