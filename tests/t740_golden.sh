@@ -63,6 +63,8 @@ for renderer in egl osmesa; do
     done
     golden outline --renderer $renderer --set render.outline=0.3
     result $? "$renderer: outline"
+    golden orthographic --renderer $renderer --set camera.projection=orthographic
+    result $? "$renderer: orthographic"
     golden faces --renderer $renderer --set render.box=faces
     result $? "$renderer: faces"
     for style in grid checker; do

@@ -137,8 +137,6 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
         cannot = "a raw image (pfm)";
     if (setup->scene->render.occlusion > 0)
         cannot = "render.occlusion";
-    if (setup->scene->camera.projection == PROJECTION_ORTHOGRAPHIC)
-        cannot = "camera.projection orthographic";
     if (cannot) {
         free(r);
         return error_set(e, STATUS_BACKEND, "%s is drawn by --renderer cpu only", cannot);

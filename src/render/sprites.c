@@ -32,6 +32,7 @@ static void uniforms_find(struct sprites *s, const struct gl *gl, const struct r
 {
     s->view = gl->GetUniformLocation(s->program, "view");
     s->scale = gl->GetUniformLocation(s->program, "scale");
+    s->parallel = gl->GetUniformLocation(s->program, "parallel");
     s->far = gl->GetUniformLocation(s->program, "far");
     s->key_light = gl->GetUniformLocation(s->program, "key_light");
     s->material = gl->GetUniformLocation(s->program, "material");
@@ -159,7 +160,8 @@ void sprites_draw(const struct sprites *s, const struct gl *gl, size_t count,
     view_matrix(camera, view);
     gl->UseProgram(s->program);
     gl->UniformMatrix4fv(s->view, 1, GL_FALSE, view);
-    gl->Uniform2f(s->scale, (float)(1 / camera->tan_x), (float)(1 / camera->tan_y));
+    gl->Uniform2f(s->scale, (float)(1 / camera_half_x(camera)), (float)(1 / camera_half_y(camera)));
+    gl->Uniform1i(s->parallel, camera->orthographic);
     gl->Uniform1f(s->far, (float)far);
     look_set(s, gl);
     gl->BindVertexArray(s->array);
