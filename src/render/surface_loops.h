@@ -57,6 +57,9 @@ static inline int chunk_reach(const struct surface *f, const float *depth)
     return !(least < INFINITY) ? 0 : reach < 1 ? 1 : reach < SURFACE_PAD ? (int)reach : SURFACE_PAD;
 }
 
+/* Every third sample will do: chords have no finer detail that is to stay. */
+enum { SOFTEN_STRIDE = 3 };
+
 /* The mean over samples that are no farther than f->far before or behind. */
 static void surface_soften(struct surface *f, int y, size_t step)
 {
@@ -69,15 +72,15 @@ static void surface_soften(struct surface *f, int y, size_t step)
             sum[l] = in[l];
             weight[l] = 1;
         }
-        for (int k = -reach; k <= reach; k++) {
-            const ptrdiff_t away = k * (ptrdiff_t)step;
-            const float *restrict there = in + away, *restrict z = depth + away;
-            const float w = k ? f->weight[reach][k < 0 ? -k : k] : 0;
+        for (int k = SOFTEN_STRIDE; k <= reach; k += SOFTEN_STRIDE) {
+            const float *restrict after = in + (size_t)k * step, *restrict z_after = depth + (size_t)k * step;
+            const float *restrict before = in - (size_t)k * step, *restrict z_before = depth - (size_t)k * step;
+            const float w = f->weight[reach][k];
 #pragma omp simd
             for (int l = 0; l < CHUNK; l++) {
-                float own = fabsf(z[l] - depth[l]) < far ? w : 0; /* not where either is INFINITY */
-                sum[l] += own > 0 ? own * there[l] : 0;
-                weight[l] += own;
+                bool a = fabsf(z_after[l] - depth[l]) < far, b = fabsf(z_before[l] - depth[l]) < far;
+                sum[l] += (a ? w * after[l] : 0) + (b ? w * before[l] : 0); /* a, b: neither is INFINITY */
+                weight[l] += (a ? w : 0) + (b ? w : 0);
             }
         }
         for (int l = 0; l < CHUNK; l++)
