@@ -6,6 +6,7 @@ uniform vec3 key_light; // unit vector in camera axes
 uniform vec4 material;  // base, sky, diffuse, facing: src/render/look.h
 uniform float shine;
 uniform float rim;
+uniform int parallel;   // orthographic
 
 flat in vec3 center;
 flat in vec3 color;
@@ -15,7 +16,7 @@ out vec4 pixel;
 void main()
 {
     // All differences are taken near the sphere, where floats are precise.
-    vec3 point = center + offset;
+    vec3 point = parallel != 0 ? vec3(0.0, 0.0, -1.0) : center + offset; // along the ray
     float scale = 1.0 / dot(point, point), along = dot(offset, point) * scale;
     float half2 = (radius * radius - dot(offset, offset)) * scale + along * along;
     if (half2 < 0.0)

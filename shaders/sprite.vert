@@ -4,7 +4,8 @@
 uniform usamplerBuffer particles; // bits of x, y, z (float), then t (float) or RGBA8
 uniform sampler1D map;
 uniform mat4 view;                // to camera axes, looking along -z
-uniform vec2 scale;               // 1 / tan of half the picture's angles
+uniform vec2 scale;               // 1 / tan of half the picture's angles, or 1 / half its sides
+uniform int parallel;             // orthographic
 uniform float radius;
 uniform int solid;
 
@@ -23,8 +24,14 @@ void main()
     else // centres of the first and last texel are the ends of the range
         color = textureLod(map, (uintBitsToFloat(particle.w) * 255.0 + 0.5) / 256.0, 0.0).rgb;
 
+    vec2 corner = corners[gl_VertexID % 3] * radius * 1.002;
+    if (parallel != 0 && center.z < 0.0) {
+        offset = vec3(corner, 0.0);
+        gl_Position = vec4((center.xy + corner) * scale, 0.0, 1.0);
+        return;
+    }
     float distance = length(center), ratio = radius / distance;
-    if (!(center.z < 0.0 && ratio < 1.0)) { // behind the eye, or around it, or not a number
+    if (!(center.z < 0.0 && ratio < 1.0) || parallel != 0) { // behind the eye, or around it, or not a number
         offset = vec3(0.0);
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
@@ -32,7 +39,7 @@ void main()
     vec3 toward = center / distance;
     vec3 side = normalize(vec3(-toward.z, 0.0, toward.x)); // toward.z < 0: never zero
     vec3 above = cross(side, toward);
-    vec2 corner = corners[gl_VertexID % 3] * radius * sqrt(1.0 - ratio * ratio) * 1.002;
+    corner *= sqrt(1.0 - ratio * ratio);
     offset = side * corner.x + above * corner.y - toward * (radius * ratio);
     vec3 point = center + offset;
     gl_Position = vec4(point.xy * scale, 0.0, -point.z); // depth comes from the fragment shader

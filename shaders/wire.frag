@@ -3,14 +3,15 @@
 uniform vec4 color;
 uniform float half_width; // pixels
 uniform float far;        // distance at depth 1
+uniform int parallel;     // orthographic: nearness is the distance
 
 in float across;
-in float inverse_distance;
+in float nearness;
 out vec4 pixel;
 
 void main()
 {
-    float cover = half_width > 0.0 ? clamp(half_width + 0.5 - abs(across), 0.0, 1.0) : 1.0;
-    gl_FragDepth = 1.0 / (inverse_distance * far);
+    float cover = half_width > 0.0 ? clamp(half_width + 0.5 - abs(across), 0.0, 1.0) : 1.0 - across;
+    gl_FragDepth = (parallel != 0 ? nearness : 1.0 / nearness) / far;
     pixel = vec4(color.rgb, color.a * cover);
 }

@@ -118,7 +118,7 @@ bad_camera 2:34 "camera.keyframes.0.eye is its target" \
 bad_camera 2:15 '"camera.keyframes.0.eye" is missing' '"keyframes": [{"time": 2}]'
 bad_camera 2:16 'unknown key "camera.keyframes.0.tme"; did you mean "camera.keyframes.0.time"' \
     '"keyframes": [{"tme": 2}]'
-run 3 "renderer egl" $scene -o "$work/film.mp4" --set camera.projection=orthographic --renderer egl
+run 3 "renderer egl" $scene -o "$work/film.mp4" --set render.style=surface --renderer egl
 printf '\357\273\277{}' >"$work/in"
 bad bom 1:1 "the file begins with a byte order mark" <"$work/in"
 printf '{"title": "\0"}' >"$work/in"

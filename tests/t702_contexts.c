@@ -17,7 +17,8 @@ static void draw_cloud(const char *context, struct image *image)
     struct render_frame frame = {.time = 0.5, .count = cloud.count, .position = cloud.position,
                                  .value = cloud.value};
     fixture_scene(&scene, 640, 360);
-    scene.color.legend = scene.render.box = scene.render.time = scene.render.title = true;
+    scene.color.legend = scene.render.time = scene.render.title = true;
+    scene.render.box = BOX_LINES;
     struct render_setup setup = fixture_setup(&scene, context);
     memset(image, 0, sizeof *image);
     if (renderer_open(&renderer, &setup, &e) != STATUS_OK)

@@ -32,6 +32,13 @@ static void change_occlusion(struct scene *scene)
     scene->render.occlusion = 0.7;
     scene->particles.spacing = 0.016;
 }
+static void change_projection(struct scene *scene)
+{
+    scene->camera.projection = PROJECTION_ORTHOGRAPHIC;
+    scene->camera.height = NAN;
+    scene->render.box = BOX_FACES;
+    scene->render.floor = FLOOR_GRID;
+}
 static void change_clear(struct scene *scene)
 {
     scene->render.transparent = true;
@@ -52,7 +59,7 @@ static void draw(const struct how *how, void (*change)(struct scene *), struct i
     struct render_frame frame = {.count = cloud.count, .position = cloud.position,
                                  .value = cloud.value};
     fixture_scene(&scene, WIDTH, HEIGHT);
-    scene.render.box = true;
+    scene.render.box = BOX_LINES;
     for (int k = 0; k < 3; k++)
         scene.render.background[k] = 0.9;
     change(&scene);
@@ -83,7 +90,7 @@ static bool has(const char *isa)
 static void the_same_bits(void **state)
 {
     static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
-                                                       change_surface, change_occlusion};
+                                                       change_surface, change_occlusion, change_projection};
     static const char *const isas[] = {"scalar", "avx2", "avx512"};
     (void)state;
     for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
@@ -102,12 +109,13 @@ static void the_same_bits(void **state)
 /* Few pixels differ from OpenGL's by more than 2 levels: rays that graze a sphere. */
 static void the_picture_of_opengl(void **state)
 {
-    static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear};
+    static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
+                                                       change_projection};
     static const double radii[] = {0.002, 0.01, 0.08};
     const char *names[] = {"egl", "osmesa"};
     (void)state;
     for (size_t n = 0; n < 2; n++)
-        for (size_t c = 0; c < 9 && !variant_find(&render_table, names[n])->missing; c++) {
+        for (size_t c = 0; c < 12 && !variant_find(&render_table, names[n])->missing; c++) {
             struct image cpu, gl;
             size_t differing = 0;
             double radius = radii[c % 3];

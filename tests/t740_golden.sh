@@ -36,10 +36,16 @@ done
 looks="log:color.scale=log symmetric:color.scale=symmetric outline:render.outline=0.3
        transparent:render.transparent=true samples-1:render.samples=1 samples-4:render.samples=4
        surface:render.style=surface occlusion:render.occlusion=1 orthographic:camera.projection=orthographic
-       large:render.radius=1 no-box:render.box=false"
+       large:render.radius=1 no-box:render.box=false faces:render.box=faces"
 for look in $looks; do
     golden "${look%%:*}" --renderer cpu --set "${look#*:}"
     result $? "${look#*:}"
+done
+# floor STYLE RENDERER: with half of the fluid left out
+floor() { golden "floor-$1" --renderer "$2" --set render.floor="$1" --set 'render.clip_max=[0.5, 9, 9]'; }
+for style in none grid checker; do
+    floor $style cpu
+    result $? "render.floor=$style"
 done
 golden water --renderer cpu --set render.style=surface --color solid
 result $? "water"
@@ -57,5 +63,13 @@ for renderer in egl osmesa; do
     done
     golden outline --renderer $renderer --set render.outline=0.3
     result $? "$renderer: outline"
+    golden orthographic --renderer $renderer --set camera.projection=orthographic
+    result $? "$renderer: orthographic"
+    golden faces --renderer $renderer --set render.box=faces
+    result $? "$renderer: faces"
+    for style in grid checker; do
+        floor $style $renderer
+        result $? "$renderer: render.floor=$style"
+    done
 done
 echo "1..$n"

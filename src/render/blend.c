@@ -1,7 +1,8 @@
-/* Turns the domain's floor and edges into triangles in samples. */
+/* Turns the domain's floor, faces and edges into triangles in samples. */
 #include "render/blend.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* a + b x + c y through three values at three points. */
@@ -65,14 +66,36 @@ static bool blend_make(const struct wire_layer *layer, bool parallel, const floa
     return true;
 }
 
-size_t blends_make(const struct wire *wire, int width, int height, struct blend blends[BLENDS_MAX])
+static bool layer_is_in(const struct wire_layer *layer, enum blend_part part)
 {
-    size_t count = 0;
+    return part == BLEND_ALL || (part == BLEND_BACK ? layer->back : !layer->behind);
+}
+
+enum status blends_make(struct blends *b, const struct wire *wire, enum blend_part part, int width,
+                        int height, struct error *e)
+{
+    size_t most = 0;
+    b->count = 0;
+    for (size_t k = 0; k < wire->count; k++)
+        most += wire->layers[k].count / 3;
+    if (most > b->room) {
+        blends_free(b);
+        b->blend = malloc(most * sizeof *b->blend);
+        b->room = b->blend ? most : 0;
+        if (!b->blend)
+            return error_set(e, STATUS_RUN, "out of memory for the domain's picture");
+    }
     for (size_t k = 0; k < wire->count; k++) {
         const struct wire_layer *layer = &wire->layers[k];
-        for (size_t i = 0; i + 3 <= layer->count; i += 3)
-            count += blend_make(layer, wire->parallel, (const float (*)[4])(layer->vertex + i), width, height,
-                                &blends[count]);
+        const float (*vertex)[4] = (const float (*)[4])(wire->mesh.vertex + layer->first);
+        for (size_t i = 0; i + 3 <= layer->count && layer_is_in(layer, part); i += 3)
+            b->count += blend_make(layer, wire->parallel, vertex + i, width, height, &b->blend[b->count]);
     }
-    return count;
+    return STATUS_OK;
+}
+
+void blends_free(struct blends *b)
+{
+    free(b->blend);
+    memset(b, 0, sizeof *b);
 }

@@ -1,13 +1,26 @@
-/* The domain's floor and edges as the triangles that the cpu renderer blends. */
+/* The domain's floor, faces and edges as the triangles that the cpu renderer blends. */
 #ifndef RENDER_BLEND_H
 #define RENDER_BLEND_H
 
 #include "render/splat.h"
 #include "render/wire.h"
 
-enum { BLENDS_MAX = (FACE_VERTICES + 2 * EDGE_COUNT * LINE_VERTICES) / 3 };
+struct blends {
+    struct blend *blend;
+    size_t count, room;
+};
 
-/* Triangles of all layers, in order, for a picture of width x height samples; returns how many. */
-size_t blends_make(const struct wire *wire, int width, int height, struct blend blends[BLENDS_MAX]);
+/* Which layers. */
+enum blend_part {
+    BLEND_ALL,
+    BLEND_BACK, /* what is seen through a fluid */
+    BLEND_OVER  /* all but what shows faintly through spheres */
+};
+
+/* Triangles of the layers, in order, for a picture of width x height samples; STATUS_RUN when memory is
+ * short. */
+enum status blends_make(struct blends *blends, const struct wire *wire, enum blend_part part, int width,
+                        int height, struct error *e);
+void blends_free(struct blends *blends);
 
 #endif

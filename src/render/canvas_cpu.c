@@ -12,6 +12,8 @@
 
 struct canvas {
     struct render_setup setup;
+    struct wire wire;     /* the domain, and its triangles */
+    struct blends blends, back; /* back: seen through a fluid */
     const struct splat_isa *isa;
     int threads, samples; /* samples per pixel, in x and in y */
     int width, height;    /* samples */
@@ -43,6 +45,9 @@ static void canvas_close(void *canvas)
     if (!c)
         return;
     balls_free(&c->balls);
+    wire_free(&c->wire);
+    blends_free(&c->blends);
+    blends_free(&c->back);
     surface_close(&c->surface);
     free(c->ray_x);
     free(c->ray_y);
@@ -56,7 +61,7 @@ static enum status room_make(struct canvas *c, struct error *e)
     c->ray_x = calloc(width, sizeof *c->ray_x);
     c->ray_y = calloc(height, sizeof *c->ray_y);
     c->tiles = aligned_alloc(64, (size_t)c->threads * sizeof *c->tiles);
-    bool ok = !c->has_surface || surface_open(&c->surface, c->width, c->height);
+    bool ok = !c->has_surface || surface_open(&c->surface, c->width, c->height, !c->setup.solid);
     if (!ok || !c->ray_x || !c->ray_y || !c->tiles)
         return error_set(e, STATUS_RUN, "out of memory for the picture");
     return STATUS_OK;
@@ -176,6 +181,17 @@ static void surface_smooth_all(struct canvas *c, size_t step)
     f->other = depth;
 }
 
+static void surface_soften_all(struct canvas *c, size_t step)
+{
+    struct surface *f = &c->surface;
+#pragma omp parallel for schedule(dynamic, 8) num_threads(c->threads)
+    for (int y = 0; y < f->height; y++)
+        c->isa->surface->soften(f, y, step);
+    float *thickness = f->thickness;
+    f->thickness = f->other;
+    f->other = thickness;
+}
+
 enum { SURFACE_ROUNDS = 3 };
 
 static void surface_draw(struct canvas *c, const struct splat *splat, const struct render_frame *frame,
@@ -190,10 +206,16 @@ static void surface_draw(struct canvas *c, const struct splat *splat, const stru
         c->isa->surface->keep(f, tile);
         if (!f->opaque)
             c->isa->surface->thicken(splat, f, tile, &list);
+        if (f->back_count)
+            c->isa->surface->behind(splat, f, tile);
     }
     for (int round = 0; round < SURFACE_ROUNDS; round++) {
         surface_smooth_all(c, 1);
         surface_smooth_all(c, f->pitch);
+    }
+    if (!f->opaque) {
+        surface_soften_all(c, 1);
+        surface_soften_all(c, f->pitch);
     }
 #pragma omp parallel for schedule(dynamic, 1) num_threads(c->threads)
     for (int i = 0; i < count; i++) {
@@ -227,6 +249,24 @@ static void background_make(const struct canvas *c, struct splat *splat)
     }
 }
 
+/* Triangles of the domain; none where it is not shown. */
+static enum status domain_make(struct canvas *c, const struct camera *camera, struct error *e)
+{
+    const struct scene *scene = c->setup.scene;
+    if (!wire_wanted(scene))
+        return STATUS_OK;
+    if (wire_make(&c->wire, scene, camera, far_distance(c, camera), c->samples, e))
+        return e->status;
+    const bool through = c->has_surface && !c->surface.opaque;
+    if (blends_make(&c->blends, &c->wire, through ? BLEND_OVER : BLEND_ALL, c->width, c->height, e))
+        return e->status;
+    if (through && blends_make(&c->back, &c->wire, BLEND_BACK, c->width, c->height, e))
+        return e->status;
+    c->surface.back = c->back.blend;
+    c->surface.back_count = c->back.count;
+    return STATUS_OK;
+}
+
 enum { SURFACE_LENGTHS = 16 }; /* light decays by e in this part of the domain's largest side */
 
 /* Spheres of a surface overlap: they are larger than those that are drawn as such. */
@@ -239,7 +279,7 @@ static double surface_prepare(struct canvas *c, const struct camera *camera)
     surface_scale(&c->surface, radius, scene->particles.spacing, c->height / 2.0 / camera_half_y(camera));
     c->surface.parallel = camera->orthographic;
     c->surface.clarity = (float)(side / SURFACE_LENGTHS);
-    c->surface.opaque = !c->setup.solid;
+    surface_view(&c->surface, camera, scene);
     return radius;
 }
 
@@ -249,11 +289,9 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     struct canvas *c = canvas;
     const struct scene *scene = c->setup.scene;
     const double radius = c->has_surface ? surface_prepare(c, camera) : c->setup.radius;
-    struct wire wire = {.count = 0};
-    struct blend blends[BLENDS_MAX];
     struct splat splat = {.ray_x = c->ray_x, .ray_y = c->ray_y, 
                           .lens = camera->orthographic ? 0 : 1, .radius = (float)radius,
-                          .look = look_make(scene->render.outline), .blends = blends,
+                          .look = look_make(scene->render.outline),
                           .samples = c->samples, .rgba = image->rgba,
                           .pitch = (size_t)image->width};
     struct ball_view view = {.camera = camera, .radius = radius, .width = c->width,
@@ -266,9 +304,10 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     if (balls_make(&c->balls, &view, frame, e))
         return e->status;
     splat.balls = c->balls.ball;
-    if (scene->render.box)
-        wire_make(&wire, scene, camera, far_distance(c, camera), c->samples);
-    splat.blend_count = blends_make(&wire, c->width, c->height, blends);
+    if (domain_make(c, camera, e))
+        return e->status;
+    splat.blends = c->blends.blend;
+    splat.blend_count = c->blends.count;
     if (c->has_surface)
         surface_draw(c, &splat, frame, image);
     else

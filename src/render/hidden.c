@@ -13,6 +13,7 @@
 struct projection { /* from camera axes to pixels, y upwards */
     float scale_x, scale_y, middle_x, middle_y;
     int width, height;
+    bool parallel; /* orthographic: nothing gets smaller with distance */
     float reach; /* of samples from the middle of a pixel, in x and in y */
 };
 
@@ -43,10 +44,11 @@ static int index_below(float x, int count)
  * projection, a circle, is in front of the centre. */
 static void cover(const struct projection *to, const float view[3], float radius, float *depth)
 {
-    float x = to->middle_x + to->scale_x * view[0] / view[2];
-    float y = to->middle_y + to->scale_y * view[1] / view[2];
+    float z = to->parallel ? 1 : view[2];
+    float x = to->middle_x + to->scale_x * view[0] / z;
+    float y = to->middle_y + to->scale_y * view[1] / z;
     float scale = to->scale_x < to->scale_y ? to->scale_x : to->scale_y;
-    float r = scale * radius / view[2] * 0.995F - 0.01F;
+    float r = scale * radius / z * 0.995F - 0.01F;
     int bottom = index_above(y - r + to->reach - 0.5F, to->height);
     int top = index_above(y + r - to->reach - 0.5F, to->height);
     for (int row = bottom; row < top; row++) {
@@ -61,13 +63,13 @@ static void cover(const struct projection *to, const float view[3], float radius
     }
 }
 
-/* First and last + 1 pixel of the projection of center +- radius at distances z -+ radius. */
-static void extent(float center, float radius, float z, float scale, float middle, int count,
+/* First and last + 1 pixel of the projection of center +- radius at distances near and far. */
+static void extent(float center, float radius, float near, float far, float scale, float middle, int count,
                    int *first, int *end)
 {
     float low = center - radius, high = center + radius;
-    low = low < 0 ? low / (z - radius) : low / (z + radius);
-    high = high > 0 ? high / (z - radius) : high / (z + radius);
+    low /= low < 0 ? near : far;
+    high /= high > 0 ? near : far;
     *first = index_below(middle + scale * low - 0.02F, count);
     *end = index_above(middle + scale * high + 0.02F, count);
 }
@@ -78,8 +80,9 @@ static bool is_hidden(const struct projection *to, const float view[3], float ra
 {
     int left, right, bottom, top;
     float front = view[2] - 1.001F * radius - 1e-6F * view[2];
-    extent(view[0], radius, view[2], to->scale_x, to->middle_x, to->width, &left, &right);
-    extent(view[1], radius, view[2], to->scale_y, to->middle_y, to->height, &bottom, &top);
+    float near = to->parallel ? 1 : view[2] - radius, far = to->parallel ? 1 : view[2] + radius;
+    extent(view[0], radius, near, far, to->scale_x, to->middle_x, to->width, &left, &right);
+    extent(view[1], radius, near, far, to->scale_y, to->middle_y, to->height, &bottom, &top);
     for (int row = bottom; row < top; row++) {
         const float *line = depth + (size_t)row * (size_t)to->width;
         for (int column = left; column < right; column++)
@@ -96,10 +99,10 @@ size_t hidden_drop(const struct camera *camera, uint32_t (*packed)[4], size_t co
     size_t kept = 0;
     struct projection to = {
         .middle_x = (float)camera->width / 2, .middle_y = (float)camera->height / 2,
-        .width = camera->width, .height = camera->height,
+        .width = camera->width, .height = camera->height, .parallel = camera->orthographic,
         .reach = (float)(samples - 1) / (float)(2 * samples)};
-    to.scale_x = to.middle_x / (float)camera->tan_x;
-    to.scale_y = to.middle_y / (float)camera->tan_y;
+    to.scale_x = to.middle_x / (float)camera_half_x(camera);
+    to.scale_y = to.middle_y / (float)camera_half_y(camera);
     for (size_t i = 0; i < (size_t)to.width * (size_t)to.height; i++)
         depth[i] = INFINITY;
     for (size_t i = 0; i < count; i++)

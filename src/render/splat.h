@@ -29,7 +29,8 @@ struct ball {
 struct blend {
     double edge[3][3];
     bool owns[3];
-    double inverse[3], across[3]; /* 1 / distance (if parallel, distance); samples across the line: a + b x + c y */
+    double inverse[3], across[3]; /* 1 / distance (if parallel, distance); samples across the line, or what a
+                                     face's cover lacks to 1: a + b x + c y */
     float half_width;             /* of a line; 0: a face */
     float color[4], cover;
     bool parallel;

@@ -10,7 +10,7 @@ static void tile_clear(struct tile *tile)
 {
     for (int y = 0; y < TILE; y++)
         for (int x = 0; x < TILE; x++) {
-            tile->depth[y][x] = (x < tile->width) & (y < tile->height) ? INFINITY : 0;
+            tile->depth[y][x] = ((x < tile->width) & (y < tile->height)) ? INFINITY : 0;
             tile->ball[y][x] = UINT32_MAX;
         }
     for (int y = 0; y < BLOCKS; y++)
@@ -223,7 +223,7 @@ static inline void span_blend(const struct blend *b, struct tile *tile, int plan
     const float near = (float)(b->inverse[0] + b->inverse[2] * py + b->inverse[1] * px);
     const float side = (float)(b->across[0] + b->across[2] * py + b->across[1] * px);
     const float near_x = (float)b->inverse[1], side_x = (float)b->across[1], cover = b->cover;
-    const float half = b->half_width > 0 ? b->half_width + 0.5F : INFINITY;
+    const float half = b->half_width > 0 ? b->half_width + 0.5F : 1;
     const float parallel = b->parallel ? 1 : 0, sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
     const float *restrict seen = tile->depth[y];
     float part[TILE];

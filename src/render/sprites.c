@@ -14,7 +14,18 @@ static const char fragment_text[] =
 #include "shaders/sprite.frag.h"
     ;
 
-enum { CHUNK_MAX = 1 << 26 }; /* three vertices each are numbered by an int */
+/* Three vertices each are numbered by an int. Mesa's softpipe (22.3) splits long draw calls, and numbers the
+ * vertices of each part from 0 (2026-11-25: right with 1,024 particles, wrong with a whole dam break). */
+enum { CHUNK_MAX = 1 << 26, CHUNK_SOFTPIPE = 1 << 10 };
+
+static size_t chunk_choose(const struct gl *gl)
+{
+    GLint texels = 65536; /* what GL 3.3 guarantees */
+    const char *name = (const char *)gl->GetString(GL_RENDERER);
+    gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    size_t most = name && strstr(name, "softpipe") ? CHUNK_SOFTPIPE : CHUNK_MAX;
+    return (size_t)texels < most ? (size_t)texels : most;
+}
 
 static void map_upload(struct sprites *s, const struct gl *gl, const struct render_setup *setup)
 {
@@ -32,6 +43,7 @@ static void uniforms_find(struct sprites *s, const struct gl *gl, const struct r
 {
     s->view = gl->GetUniformLocation(s->program, "view");
     s->scale = gl->GetUniformLocation(s->program, "scale");
+    s->parallel = gl->GetUniformLocation(s->program, "parallel");
     s->far = gl->GetUniformLocation(s->program, "far");
     s->key_light = gl->GetUniformLocation(s->program, "key_light");
     s->material = gl->GetUniformLocation(s->program, "material");
@@ -48,14 +60,12 @@ static void uniforms_find(struct sprites *s, const struct gl *gl, const struct r
 enum status sprites_open(struct sprites *s, const struct gl *gl, const struct render_setup *setup,
                          struct error *e)
 {
-    GLint texels = 65536; /* what GL 3.3 guarantees */
     enum status status = gl_program(gl, &s->program, "sprites", vertex_text, fragment_text, NULL,
                                     e);
     if (status != STATUS_OK)
         return status;
     uniforms_find(s, gl, setup);
-    gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    s->chunk = texels < CHUNK_MAX ? (size_t)texels : CHUNK_MAX;
+    s->chunk = chunk_choose(gl);
     gl->GenVertexArrays(1, &s->array); /* empty, but core profile wants one */
     gl->GenBuffers(1, &s->buffer);
     gl->GenTextures(1, &s->texture);
@@ -159,7 +169,8 @@ void sprites_draw(const struct sprites *s, const struct gl *gl, size_t count,
     view_matrix(camera, view);
     gl->UseProgram(s->program);
     gl->UniformMatrix4fv(s->view, 1, GL_FALSE, view);
-    gl->Uniform2f(s->scale, (float)(1 / camera->tan_x), (float)(1 / camera->tan_y));
+    gl->Uniform2f(s->scale, (float)(1 / camera_half_x(camera)), (float)(1 / camera_half_y(camera)));
+    gl->Uniform1i(s->parallel, camera->orthographic);
     gl->Uniform1f(s->far, (float)far);
     look_set(s, gl);
     gl->BindVertexArray(s->array);

@@ -10,7 +10,7 @@
 
 struct sprites {
     GLuint program, array, buffer, texture, map;
-    GLint view, scale, far, key_light, material, shine, rim; /* uniform locations */
+    GLint view, scale, parallel, far, key_light, material, shine, rim; /* uniform locations */
     double outline;                         /* rim / radius */
     size_t chunk;                           /* particles per draw call */
     uint32_t (*packed)[4];                  /* x y z as float bits, then t as float bits or RGBA8 */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool surface_open(struct surface *f, int width, int height)
+bool surface_open(struct surface *f, int width, int height, bool opaque)
 {
     memset(f, 0, sizeof *f);
     f->width = width;
@@ -16,7 +16,9 @@ bool surface_open(struct surface *f, int width, int height)
     f->other = malloc(room * sizeof *f->other);
     f->thickness = calloc(room, sizeof *f->thickness);
     f->ball = malloc(room * sizeof *f->ball);
-    if (!f->depth || !f->other || !f->thickness || !f->ball)
+    f->opaque = opaque;
+    f->behind = opaque ? NULL : calloc(room, sizeof *f->behind);
+    if (!f->depth || !f->other || !f->thickness || !f->ball || !(opaque || f->behind))
         return false;
     for (size_t i = 0; i < room; i++) {
         f->depth[i] = f->other[i] = INFINITY;
@@ -37,7 +39,21 @@ void surface_close(struct surface *f)
     free(f->other);
     free(f->thickness);
     free(f->ball);
+    free(f->behind);
     memset(f, 0, sizeof *f);
+}
+
+void surface_view(struct surface *f, const struct camera *camera, const struct scene *scene)
+{
+    for (int a = 0; a < 3; a++) {
+        f->axis[0][a] = (float)camera->right[a];
+        f->axis[1][a] = (float)camera->up[a];
+        f->axis[2][a] = (float)camera->forward[a];
+        f->eye[a] = (float)camera->eye[a];
+        f->side[a] = (float)(scene->domain.max[a] - scene->domain.min[a]);
+    }
+    f->half[0] = (float)(f->width / 2.0 / camera_half_x(camera));
+    f->half[1] = (float)(-f->height / 2.0 / camera_half_y(camera));
 }
 
 void surface_scale(struct surface *f, double radius, double spacing, double samples)

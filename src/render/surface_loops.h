@@ -57,6 +57,37 @@ static inline int chunk_reach(const struct surface *f, const float *depth)
     return !(least < INFINITY) ? 0 : reach < 1 ? 1 : reach < SURFACE_PAD ? (int)reach : SURFACE_PAD;
 }
 
+/* Every third sample will do: chords have no finer detail that is to stay. */
+enum { SOFTEN_STRIDE = 3 };
+
+/* The mean over samples that are no farther than f->far before or behind. */
+static void surface_soften(struct surface *f, int y, size_t step)
+{
+    for (int x = 0; x < f->width; x += CHUNK) {
+        const size_t at = surface_at(f, x, y);
+        const float *depth = f->depth + at, *in = f->thickness + at, far = f->far;
+        float *restrict out = f->other + at, sum[CHUNK], weight[CHUNK];
+        const int reach = chunk_reach(f, depth);
+        for (int l = 0; l < CHUNK; l++) {
+            sum[l] = in[l];
+            weight[l] = 1;
+        }
+        for (int k = SOFTEN_STRIDE; k <= reach; k += SOFTEN_STRIDE) {
+            const float *restrict after = in + (size_t)k * step, *restrict z_after = depth + (size_t)k * step;
+            const float *restrict before = in - (size_t)k * step, *restrict z_before = depth - (size_t)k * step;
+            const float w = f->weight[reach][k];
+#pragma omp simd
+            for (int l = 0; l < CHUNK; l++) {
+                bool a = fabsf(z_after[l] - depth[l]) < far, b = fabsf(z_before[l] - depth[l]) < far;
+                sum[l] += (a ? w * after[l] : 0) + (b ? w * before[l] : 0); /* a, b: neither is INFINITY */
+                weight[l] += (a ? w : 0) + (b ? w : 0);
+            }
+        }
+        for (int l = 0; l < CHUNK; l++)
+            out[l] = sum[l] / weight[l];
+    }
+}
+
 static void surface_smooth(struct surface *f, int y, size_t step)
 {
     for (int x = 0; x < f->width; x += CHUNK) {
@@ -126,14 +157,18 @@ static inline float surface_sky(float y, int k)
     return ground[k] + t * (sky[k] - ground[k]);
 }
 
+#include "render/surface_refract.h"
+
 static inline void surface_sample(const struct splat *s, const struct surface *f, int x, int y,
-                                  const float behind[3], float out[3])
+                                  const float back[3], float out[3])
 {
     const struct look *look = &s->look;
-    float n[3], rx = s->lens * s->ray_x[x], ry = s->lens * s->ray_y[y], length = 1 / sqrtf(rx * rx + ry * ry + 1);
+    float n[3], behind[3] = {back[0], back[1], back[2]}, rx = s->lens * s->ray_x[x], ry = s->lens * s->ray_y[y], length = 1 / sqrtf(rx * rx + ry * ry + 1);
     surface_normal(s, f, x, y, n);
     float facing = (n[2] - n[0] * rx - n[1] * ry) * length;
-    facing = facing > 0 ? facing : 0;
+    facing = facing > 0 ? facing < 1 ? facing : 1 : 0;
+    if (f->back_count)
+        surface_refract(s, f, x, y, n, facing, behind);
     float key = n[0] * look->key[0] + n[1] * look->key[1] + n[2] * look->key[2];
     float ahead = (rx * look->key[0] + ry * look->key[1] - look->key[2]) * length;
     float glance = ahead + 2 * facing * key, up = ry * length + 2 * facing * n[1], away = 1 - facing;
@@ -172,5 +207,5 @@ static void surface_shade(const struct splat *s, const struct surface *f, struct
     }
 }
 
-static const struct surface_loops surface_loops = {surface_keep, surface_thicken, surface_smooth,
-                                                   surface_shade};
+static const struct surface_loops surface_loops = {surface_keep, surface_thicken, surface_behind,
+                                                   surface_soften, surface_smooth, surface_shade};

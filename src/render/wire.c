@@ -1,84 +1,29 @@
-/* The domain's floor and edges as triangles in the picture. */
+/* Chooses what is drawn of the domain, layer by layer from the back. */
 #include "render/wire.h"
 
+#include "render/ticks.h"
+
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
-/* The point between a (in front of the near distance) and b (behind it) at that distance. */
-static void cut(const double a[3], const double b[3], double near, double out[3])
+/* What a layer is made with. */
+struct drawing {
+    struct wire *wire;
+    const struct scene *scene;
+    struct mesh_view view;
+    double half; /* of a line, drawn pixels */
+    float ink;
+};
+
+static enum floor_style floor_style_of(const struct scene *scene)
 {
-    double t = (a[2] - near) / (a[2] - b[2]);
-    for (int k = 0; k < 3; k++)
-        out[k] = a[k] + t * (b[k] - a[k]);
+    enum floor_style style = scene->render.floor;
+    return style != FLOOR_AUTO ? style : scene->render.box ? FLOOR_PLAIN : FLOOR_NONE;
 }
 
-static void project(const struct camera *camera, const double view[3], float out[4])
+bool wire_wanted(const struct scene *scene)
 {
-    double scale = camera->orthographic ? 1 : view[2];
-    out[0] = (float)(view[0] / (scale * camera_half_x(camera)));
-    out[1] = (float)(view[1] / (scale * camera_half_y(camera)));
-    out[2] = (float)(camera->orthographic ? view[2] : 1 / view[2]);
-    out[3] = 0;
-}
-
-/* A line as two triangles, `half` pixels to either side; returns vertices written. */
-static size_t line_make(const struct camera *camera, double near, double half, const double a[3],
-                        const double b[3], float (*out)[4])
-{
-    static const int corner_end[LINE_VERTICES] = {0, 1, 0, 0, 1, 1};
-    static const int corner_side[LINE_VERTICES] = {-1, -1, 1, 1, -1, 1};
-    double end[2][3], dx, dy, length;
-    float p[2][4];
-    if (a[2] < near && b[2] < near)
-        return 0;
-    memcpy(end[0], a, sizeof end[0]);
-    memcpy(end[1], b, sizeof end[1]);
-    if (a[2] < near)
-        cut(b, a, near, end[0]);
-    if (b[2] < near)
-        cut(a, b, near, end[1]);
-    project(camera, end[0], p[0]);
-    project(camera, end[1], p[1]);
-    dx = (p[1][0] - p[0][0]) * camera->width / 2;
-    dy = (p[1][1] - p[0][1]) * camera->height / 2;
-    length = hypot(dx, dy);
-    if (!(length > 0))
-        return 0;
-    for (int i = 0; i < LINE_VERTICES; i++) {
-        memcpy(out[i], p[corner_end[i]], sizeof out[i]);
-        out[i][0] += (float)(corner_side[i] * half * -dy / length * 2 / camera->width);
-        out[i][1] += (float)(corner_side[i] * half * dx / length * 2 / camera->height);
-        out[i][3] = (float)(corner_side[i] * half);
-    }
-    return LINE_VERTICES;
-}
-
-/* A face as a fan, cut at the near distance; returns vertices written, up to FACE_VERTICES. */
-static size_t face_make(const struct camera *camera, double near, double corner[4][3],
-                        float (*out)[4])
-{
-    float p[6][4];
-    size_t n = 0, written = 0;
-    for (int i = 0; i < 4; i++) {
-        const double *a = corner[i], *b = corner[(i + 1) % 4];
-        double middle[3];
-        if (a[2] >= near)
-            project(camera, a, p[n++]);
-        if ((a[2] >= near) != (b[2] >= near)) {
-            if (a[2] >= near)
-                cut(a, b, near, middle);
-            else
-                cut(b, a, near, middle);
-            project(camera, middle, p[n++]);
-        }
-    }
-    for (size_t i = 2; i < n && written + 3 <= FACE_VERTICES; i++) {
-        memcpy(out[written++], p[0], sizeof p[0]);
-        memcpy(out[written++], p[i - 1], sizeof p[0]);
-        memcpy(out[written++], p[i], sizeof p[0]);
-    }
-    return written;
+    return scene->render.box || floor_style_of(scene) != FLOOR_NONE;
 }
 
 /* The floor is the face that gravity points to; without gravity, the one opposite to up. */
@@ -99,69 +44,191 @@ static void floor_find(const struct scene *scene, int *axis, bool *at_max)
     }
 }
 
-/* Corners of the floor in camera axes; false when it is seen from below. */
-static bool floor_corners(const struct scene *scene, const struct camera *camera,
-                          double corner[4][3])
+/* Whether a face is on the far side: what is seen of it is inside the domain. */
+static bool face_is_back(const struct drawing *d, int axis, bool at_max)
+{
+    const struct camera *camera = &d->view.camera;
+    double p[3];
+    camera_corner(d->scene, at_max << axis, 0, p);
+    double toward = camera->orthographic ? -camera->forward[axis] : camera->eye[axis] - p[axis];
+    return at_max ? toward < 0 : toward > 0;
+}
+
+/* Ends the layer of the vertices since the last one. */
+static void layer_end(const struct drawing *d, float half_width, float alpha, bool back)
+{
+    struct wire *w = d->wire;
+    size_t first = w->count ? w->layers[w->count - 1].first + w->layers[w->count - 1].count : 0;
+    w->layers[w->count++] = (struct wire_layer){
+        .first = first, .count = w->mesh.count - first, .half_width = half_width,
+        .color = {d->ink, d->ink, d->ink, alpha}, .back = back};
+}
+
+/* The rectangle of a face between two places along each of the axes after its own. */
+static void patch_make(const struct drawing *d, int axis, bool at_max, const double low[2],
+                       const double high[2])
 {
     static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    int axis, u, v;
-    bool at_max;
-    double p[3];
-    floor_find(scene, &axis, &at_max);
-    u = (axis + 1) % 3;
-    v = (axis + 2) % 3;
+    double corner[4][3];
     for (int i = 0; i < 4; i++) {
-        camera_corner(scene, at_max << axis | around[i][0] << u | around[i][1] << v, 0, p);
-        camera_view(camera, p, corner[i]);
+        camera_corner(d->scene, at_max << axis, 0, corner[i]);
+        for (int k = 0; k < 2; k++)
+            corner[i][(axis + 1 + k) % 3] = around[i][k] ? high[k] : low[k];
     }
-    return at_max ? camera->eye[axis] < p[axis] : camera->eye[axis] > p[axis];
+    mesh_face(&d->wire->mesh, &d->view, (const double (*)[3])corner, NULL);
 }
 
-static size_t edges_make(const struct scene *scene, const struct camera *camera, double near,
-                         double half, float (*out)[4])
+static void face_make(const struct drawing *d, int axis, bool at_max)
 {
-    size_t written = 0;
+    const double *min = d->scene->domain.min, *max = d->scene->domain.max, low[2] = {0, 0};
+    int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    patch_make(d, axis, at_max, low, (const double[2]){max[u] - min[u], max[v] - min[v]});
+}
+
+/* Squares of a floor: multiples of `step` m along the axes after its own. */
+struct squares {
+    int axis;
+    bool at_max;
+    double step, origin[2], side[2]; /* domain.min along the axes; and the floor's sides, m */
+};
+
+enum { SQUARES_MAX = 12 }; /* ten or so along the longer side */
+
+static struct squares squares_make(const struct scene *scene, int axis, bool at_max)
+{
+    struct squares s = {.axis = axis, .at_max = at_max};
+    for (int k = 0; k < 2; k++) {
+        int a = (axis + 1 + k) % 3;
+        s.origin[k] = scene->domain.min[a];
+        s.side[k] = scene->domain.max[a] - scene->domain.min[a];
+    }
+    s.step = ticks_round(fmax(s.side[0], s.side[1]) / SQUARES_MAX * 2);
+    return s;
+}
+
+/* Lines across axis k of the floor; none on its edges. */
+static void grid_lines(const struct drawing *d, const struct squares *s, int k)
+{
+    int u = (s->axis + 1 + k) % 3, v = (s->axis + 2 - k) % 3;
+    double first = floor(s->origin[k] / s->step);
+    for (int i = 0;; i++) {
+        double at = (first + i) * s->step - s->origin[k], a[3], b[3];
+        if (at > s->side[k] - 1e-6 * s->step)
+            return;
+        if (at < 1e-6 * s->step)
+            continue;
+        camera_corner(d->scene, s->at_max << s->axis, 0, a);
+        memcpy(b, a, sizeof b);
+        a[u] = b[u] = at;
+        a[v] = 0;
+        b[v] = s->side[1 - k];
+        mesh_line(&d->wire->mesh, &d->view, a, b, 0.7 * d->half);
+    }
+}
+
+/* Where square i of an axis is, cut to the floor; false beyond it. */
+static bool square_cut(const struct squares *s, int k, int i, double *low, double *high)
+{
+    double start = (floor(s->origin[k] / s->step) + i) * s->step - s->origin[k];
+    *low = fmax(start, 0);
+    *high = fmin(start + s->step, s->side[k]);
+    return start < s->side[k];
+}
+
+static void checker_make(const struct drawing *d, const struct squares *s)
+{
+    double low[2], high[2];
+    for (int i = 0; square_cut(s, 0, i, &low[0], &high[0]); i++)
+        for (int j = 0; square_cut(s, 1, j, &low[1], &high[1]); j++)
+            if ((i + j) % 2 == 0 && high[0] > low[0] && high[1] > low[1])
+                patch_make(d, s->axis, s->at_max, low, high);
+}
+
+static void floor_make(const struct drawing *d, int axis, bool at_max)
+{
+    const struct squares squares = squares_make(d->scene, axis, at_max);
+    enum floor_style style = floor_style_of(d->scene);
+    face_make(d, axis, at_max);
+    layer_end(d, 0, 0.07F, true);
+    if (style == FLOOR_CHECKER) {
+        checker_make(d, &squares);
+        layer_end(d, 0, 0.16F, true);
+    } else if (style == FLOOR_GRID) {
+        grid_lines(d, &squares, 0);
+        grid_lines(d, &squares, 1);
+        layer_end(d, (float)(0.7 * d->half), 0.35F, true);
+    }
+}
+
+/* Far faces but the floor, the darker the more the camera sees of them from aside. */
+static void faces_make(const struct drawing *d, int floor_axis, bool floor_at_max)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        for (int at_max = 0; at_max < 2; at_max++)
+            if (face_is_back(d, axis, at_max) && (axis != floor_axis || at_max != floor_at_max))
+                face_make(d, axis, at_max);
+        layer_end(d, 0, 0.04F + 0.05F * (float)fabs(d->view.camera.right[axis]), true);
+    }
+}
+
+/* Edges that have a far face (back), or none. */
+static void edges_make(const struct drawing *d, bool back)
+{
     for (int axis = 0; axis < 3; axis++)
         for (int i = 0; i < 8; i++) {
-            double p[3], a[3], b[3];
-            if (i >> axis & 1)
+            int u = (axis + 1) % 3, v = (axis + 2) % 3;
+            double a[3], b[3];
+            if (i >> axis & 1 ||
+                (face_is_back(d, u, i >> u & 1) || face_is_back(d, v, i >> v & 1)) != back)
                 continue;
-            camera_corner(scene, i, 0, p);
-            camera_view(camera, p, a);
-            camera_corner(scene, i | 1 << axis, 0, p);
-            camera_view(camera, p, b);
-            written += line_make(camera, near, half, a, b, out + written);
+            camera_corner(d->scene, i, 0, a);
+            camera_corner(d->scene, i | 1 << axis, 0, b);
+            mesh_line(&d->wire->mesh, &d->view, a, b, d->half);
         }
-    return written;
+    layer_end(d, (float)d->half, 0.55F, back);
 }
 
-static void layer_add(struct wire *w, float (*vertex)[4], size_t count, float half_width, float ink,
-                      float alpha, bool behind)
+/* The last layer again, faintly, where something is in front. */
+static void layer_repeat(const struct drawing *d, float alpha)
 {
-    w->layers[w->count++] = (struct wire_layer){
-        .vertex = vertex, .count = count, .half_width = half_width, .color = {ink, ink, ink, alpha},
-        .behind = behind};
+    struct wire *w = d->wire;
+    struct wire_layer layer = w->layers[w->count - 1];
+    layer.color[3] = alpha;
+    layer.behind = true;
+    layer.back = false;
+    w->layers[w->count++] = layer;
 }
 
-void wire_make(struct wire *w, const struct scene *scene, const struct camera *camera, double far,
-               int samples)
+enum status wire_make(struct wire *w, const struct scene *scene, const struct camera *camera, double far,
+                      int samples, struct error *e)
 {
-    double corner[4][3], near = far * 1e-4;
     const double *back = scene->render.background;
-    float ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0.0F : 1.0F;
-    /* 1.4 pixels at 720 lines, and never thinner than one. */
-    double half = fmax(0.5, 0.7 * camera->height / 720) * samples;
-    struct camera drawn = *camera; /* counts in drawn pixels */
-    size_t count;
-    drawn.width *= samples;
-    drawn.height *= samples;
-    w->count = 0;
+    int axis;
+    bool at_max;
+    /* Lines have 1.4 pixels at 720 lines, and are never thinner than one. */
+    struct drawing d = {.wire = w, .scene = scene, .view = {*camera, far * 1e-4},
+                        .half = fmax(0.5, 0.7 * camera->height / 720) * samples,
+                        .ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0.0F : 1.0F};
+    d.view.camera.width *= samples;
+    d.view.camera.height *= samples;
+    w->mesh.count = w->count = 0;
     w->parallel = camera->orthographic;
-    if (floor_corners(scene, camera, corner)) {
-        count = face_make(&drawn, near, corner, w->floor);
-        layer_add(w, w->floor, count, 0, ink, 0.07F, false);
+    floor_find(scene, &axis, &at_max);
+    bool floored = floor_style_of(scene) != FLOOR_NONE;
+    if (floored && face_is_back(&d, axis, at_max))
+        floor_make(&d, axis, at_max);
+    if (scene->render.box == BOX_FACES)
+        faces_make(&d, floored ? axis : -1, at_max);
+    if (scene->render.box) {
+        edges_make(&d, true);
+        layer_repeat(&d, 0.10F);
+        edges_make(&d, false);
+        layer_repeat(&d, 0.10F);
     }
-    count = edges_make(scene, &drawn, near, half + 0.5, w->edges);
-    layer_add(w, w->edges, count, (float)half, ink, 0.55F, false);
-    layer_add(w, w->edges, count, (float)half, ink, 0.10F, true);
+    return w->mesh.failed ? error_set(e, STATUS_RUN, "out of memory for the domain's picture") : STATUS_OK;
+}
+
+void wire_free(struct wire *w)
+{
+    mesh_free(&w->mesh);
 }

@@ -1,4 +1,4 @@
-/* Draws the domain's floor and edges by OpenGL. */
+/* Draws the domain's floor, faces and edges by OpenGL. */
 #include "render/wire_gl.h"
 
 #include <string.h>
@@ -20,6 +20,7 @@ enum status wire_open(struct wire_gl *w, const struct gl *gl, struct error *e)
     w->color = gl->GetUniformLocation(w->program, "color");
     w->half_width = gl->GetUniformLocation(w->program, "half_width");
     w->far = gl->GetUniformLocation(w->program, "far");
+    w->parallel = gl->GetUniformLocation(w->program, "parallel");
     gl->GenVertexArrays(1, &w->array);
     gl->BindVertexArray(w->array);
     gl->GenBuffers(1, &w->buffer);
@@ -36,6 +37,7 @@ void wire_close(struct wire_gl *w, const struct gl *gl)
         gl->DeleteVertexArrays(1, &w->array);
         gl->DeleteBuffers(1, &w->buffer);
     }
+    wire_free(&w->wire);
     memset(w, 0, sizeof *w);
 }
 
@@ -45,26 +47,29 @@ static void layer_draw(const struct wire_gl *w, const struct gl *gl, const struc
     gl->DepthFunc(layer->behind ? GL_GEQUAL : GL_LESS);
     gl->Uniform1f(w->half_width, layer->half_width);
     gl->Uniform4f(w->color, c[0], c[1], c[2], c[3]);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(layer->count * sizeof *layer->vertex),
-                   layer->vertex, GL_STREAM_DRAW);
-    gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)layer->count);
+    gl->DrawArrays(GL_TRIANGLES, (GLint)layer->first, (GLsizei)layer->count);
 }
 
-void wire_draw(const struct wire_gl *w, const struct gl *gl, const struct scene *scene,
-               const struct camera *camera, double far, int samples)
+enum status wire_draw(struct wire_gl *w, const struct gl *gl, const struct scene *scene,
+                      const struct camera *camera, double far, int samples, struct error *e)
 {
-    struct wire wire;
-    wire_make(&wire, scene, camera, far, samples);
+    const struct wire *wire = &w->wire;
+    if (wire_make(&w->wire, scene, camera, far, samples, e))
+        return e->status;
     gl->UseProgram(w->program);
     gl->Uniform1f(w->far, (float)far);
+    gl->Uniform1i(w->parallel, wire->parallel);
     gl->BindVertexArray(w->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, w->buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(wire->mesh.count * sizeof *wire->mesh.vertex),
+                   wire->mesh.vertex, GL_STREAM_DRAW);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthMask(0);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for (size_t i = 0; i < wire.count; i++)
-        layer_draw(w, gl, &wire.layers[i]);
+    for (size_t i = 0; i < wire->count; i++)
+        layer_draw(w, gl, &wire->layers[i]);
     gl->DepthMask(1);
     gl->Disable(GL_BLEND);
+    return STATUS_OK;
 }

@@ -1,4 +1,4 @@
-/* Draws the domain's floor and edges by OpenGL. */
+/* Draws the domain's floor, faces and edges by OpenGL. */
 #ifndef RENDER_WIRE_GL_H
 #define RENDER_WIRE_GL_H
 
@@ -7,15 +7,17 @@
 
 struct wire_gl {
     GLuint program, array, buffer;
-    GLint color, half_width, far; /* uniform locations */
+    GLint color, half_width, far, parallel; /* uniform locations */
+    struct wire wire;
 };
 
 /* As sprites_open and sprites_close. */
 enum status wire_open(struct wire_gl *wire, const struct gl *gl, struct error *e);
 void wire_close(struct wire_gl *wire, const struct gl *gl);
 
-/* Draw over the spheres; `far` m is depth 1, `samples` the pixels drawn per pixel shown, in x. */
-void wire_draw(const struct wire_gl *wire, const struct gl *gl, const struct scene *scene,
-               const struct camera *camera, double far, int samples);
+/* Draws over the spheres; `far` m is depth 1, `samples` the pixels drawn per pixel shown, in x.
+ * STATUS_RUN when memory is short. */
+enum status wire_draw(struct wire_gl *wire, const struct gl *gl, const struct scene *scene,
+                      const struct camera *camera, double far, int samples, struct error *e);
 
 #endif

@@ -26,7 +26,8 @@ enum { KEY_TEXT_SIZE = 128 };
 enum key_flag {
     KEY_AUTO = 1,
     KEY_ABOVE_MIN = 2, /* min itself is excluded */
-    KEY_INSIDE = 4     /* a point of the domain */
+    KEY_INSIDE = 4,    /* a point of the domain */
+    KEY_SWITCH = 8     /* of an enum: false and true stand for its first and second word */
 };
 
 struct key {

@@ -26,7 +26,8 @@
 _Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
                sizeof(enum body_fill) == sizeof(int) &&
                sizeof(enum body_start) == sizeof(int) && sizeof(enum color_spread) == sizeof(int) &&
-               sizeof(enum label_place) == sizeof(int) &&
+               sizeof(enum label_place) == sizeof(int) && sizeof(enum box_style) == sizeof(int) &&
+               sizeof(enum floor_style) == sizeof(int) &&
                sizeof(enum camera_projection) == sizeof(int), "enums are ints");
 
 const char *const scene_face_names[FACE_COUNT] = {"-x", "+x", "-y", "+y", "-z", "+z"};
@@ -236,7 +237,11 @@ const struct key scene_core_keys[] = {
      "particles with other values are not drawn; auto: all are", IN(render.show_range)},
     {"render.radius", KEY_REAL, KEY_ABOVE_MIN, "0.5", 0, 4, "spacings", NULL,
      "radius of a drawn particle", IN(render.radius)},
-    {"render.box", KEY_BOOL, 0, "true", ANY, "", NULL, "edges of the domain", IN(render.box)},
+    {"render.box", KEY_ENUM, KEY_SWITCH, "\"lines\"", ANY, "", "none|lines|faces",
+     "the domain: its edges, and its faces behind the fluid; true is lines, false none", IN(render.box)},
+    {"render.floor", KEY_ENUM, 0, "\"auto\"", ANY, "", "auto|none|plain|grid|checker",
+     "of the domain, where gravity points to; squares of 1, 2 or 5 times a power of ten m; auto: plain "
+     "where there is a box", IN(render.floor)},
     {"render.time", KEY_BOOL, 0, "true", ANY, "", NULL, "time stamp", IN(render.time)},
     {"render.title", KEY_BOOL, 0, "true", ANY, "", NULL, "title", IN(render.title)},
     {"render.scale_bar", KEY_BOOL, 0, "false", ANY, "", NULL,

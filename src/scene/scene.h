@@ -26,6 +26,9 @@ enum body_start { START_AUTO, START_REST, START_HYDROSTATIC }; /* pressure at th
 
 enum color_spread { SPREAD_AUTO, SPREAD_LINEAR, SPREAD_LOG, SPREAD_SYMMETRIC };
 
+enum box_style { BOX_NONE, BOX_LINES, BOX_FACES };
+enum floor_style { FLOOR_AUTO, FLOOR_NONE, FLOOR_PLAIN, FLOOR_GRID, FLOOR_CHECKER };
+
 enum label_place {
     LABEL_TOP_LEFT, LABEL_TOP, LABEL_TOP_RIGHT, LABEL_BOTTOM_LEFT, LABEL_BOTTOM, LABEL_BOTTOM_RIGHT
 };
@@ -191,7 +194,9 @@ struct scene {
         double clip_min[3], clip_max[3]; /* m; NAN: no bound */
         double show_range[2]; /* of the colour's quantity; NAN: all */
         double radius;        /* drawn radius / spacing */
-        bool box, time, title;/* wireframe, time stamp, title */
+        enum box_style box;   /* of the domain */
+        enum floor_style floor; /* auto: plain where there is a box */
+        bool time, title;     /* time stamp, title */
         bool scale_bar, axes;
         bool boundary;        /* draw static boundary particles */
     } render;

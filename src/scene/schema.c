@@ -52,10 +52,10 @@ static void schema_words(struct schema *s, const struct key *key)
     const struct variant_table *table = vocabulary_table(s->keys.vocabulary, key->choices);
     char word[KEY_TEXT_SIZE];
     bool words = strchr(key->choices, '|') != NULL, first = true;
-    fputs("\"type\": \"string\"", s->out);
+    fputs(key->flags & KEY_SWITCH ? "\"enum\": [false, true" : "\"type\": \"string\"", s->out);
     if (!words && !table)
         return;
-    fputs(", \"enum\": [", s->out);
+    fputs(key->flags & KEY_SWITCH ? ", " : ", \"enum\": [", s->out);
     if (key->flags & KEY_AUTO) {
         fputs("\"auto\"", s->out);
         first = false;

@@ -161,9 +161,28 @@ static enum status read_variant(const struct reading *r, const char *text)
     return unknown_word(r, text, &near, known);
 }
 
+/* Of KEY_SWITCH: 0 for false, 1 for true, bare or (by --set) as a word; else -1. */
+static int read_switch(const struct reading *r)
+{
+    const struct json_node *n = &r->doc->nodes[r->node];
+    char text[8] = "";
+    if (!(r->key->flags & KEY_SWITCH))
+        return -1;
+    if (n->kind == JSON_BOOL)
+        return r->doc->text[n->start] == 't';
+    if (n->kind != JSON_STRING || !json_string(r->doc, r->node, text, sizeof text))
+        return -1;
+    return strcmp(text, "true") == 0 ? 1 : strcmp(text, "false") == 0 ? 0 : -1;
+}
+
 static enum status read_choice(const struct reading *r, void *memory)
 {
     char text[KEY_TEXT_SIZE] = ""; /* its tail is copied too */
+    int given = read_switch(r);
+    if (given >= 0) {
+        *(int *)memory = given;
+        return STATUS_OK;
+    }
     enum status status = read_text(r, text);
     if (status)
         return status;
