@@ -30,7 +30,7 @@ OSMESA_doc    := draws by Mesa software into memory
 OSMESA_needs  := libosmesa6-dev
 LIBAV_doc     := writes films: mp4, webm, mkv, gif, apng, y4m
 LIBAV_needs   := libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
-CAIRO_doc     := writes colour bar, title and time over frames
+CAIRO_doc     := writes colour bar, title and time over frames; pdf, svg
 CAIRO_needs   := libcairo2-dev
 
 VERSION  := 0.1.0

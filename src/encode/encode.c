@@ -9,7 +9,7 @@
 #include <strings.h>
 
 extern const struct encoder_row encoder_mp4, encoder_webm, encoder_mkv, encoder_gif, encoder_apng,
-    encoder_y4m, encoder_png, encoder_csv, encoder_hash, encoder_null,
+    encoder_y4m, encoder_png, encoder_pdf, encoder_svg, encoder_csv, encoder_hash, encoder_null,
     encoder_reference, encoder_pfm;
 
 static const struct variant *const rows[] = {
@@ -20,6 +20,8 @@ static const struct variant *const rows[] = {
     &encoder_apng.variant,
     &encoder_y4m.variant,
     &encoder_png.variant,
+    &encoder_pdf.variant,
+    &encoder_svg.variant,
     &encoder_pfm.variant,
     &encoder_csv.variant,
     &encoder_hash.variant,

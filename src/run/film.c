@@ -219,6 +219,10 @@ static bool has_raw(const struct encoder_row *row)
 {
     return row->wants_raw;
 }
+static bool has_vectors(const struct encoder_row *row)
+{
+    return row->wants_vectors;
+}
 
 bool film_wants_pixels(const char *const *outputs, size_t count)
 {
@@ -231,6 +235,10 @@ bool film_wants_rows(const char *const *outputs, size_t count)
 bool film_wants_raw(const char *const *outputs, size_t count)
 {
     return any_output(outputs, count, has_raw);
+}
+bool film_wants_vectors(const char *const *outputs, size_t count)
+{
+    return any_output(outputs, count, has_vectors);
 }
 
 static enum status check_outputs(const struct film_setup *setup, struct error *e)

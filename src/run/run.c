@@ -185,6 +185,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
         .renderer = options->renderer ? options->renderer : "auto",
         .threads = options->threads,
         .raw = film_wants_raw(options->outputs, options->output_count),
+        .vectors = film_wants_vectors(options->outputs, options->output_count),
         .isa = options->isa,
         .radius = scene->render.radius * scene->particles.spacing,
     };
