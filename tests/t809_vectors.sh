@@ -41,6 +41,9 @@ pdftotext "$work/a.pdf" "$work/out" &&
 result $? "the text of a pdf is text"
 grep -q "at target" "$work/out"
 result $? "that of the scale bar, too"
+shoot --at 0 -o "$work/c.pdf" --set camera.projection=orthographic && pdftotext "$work/c.pdf" "$work/out" &&
+    grep -qxE '[0-9]+ (cm|mm|m)' "$work/out" && ! grep -q target "$work/out"
+result $? "which is true everywhere in an orthographic picture, and says a length only"
 pdfinfo "$work/a.pdf" >"$work/out" && grep -q 'Title: *Drop & <pool>$' "$work/out" &&
     grep -q 'Creator: *sph-render' "$work/out" && grep -q 'Page size: *240 x 135 pts' "$work/out" &&
     ! grep -q CreationDate "$work/out"
