@@ -78,6 +78,17 @@ const struct encoder_row *encode_find(const char *path, struct error *e)
     return NULL;
 }
 
+bool encode_any(const char *const *outputs, size_t count, bool (*has)(const struct encoder_row *))
+{
+    struct error ignored;
+    for (size_t i = 0; i < count; i++) {
+        const struct encoder_row *row = encode_find(outputs[i], &ignored);
+        if (row && has(row))
+            return true;
+    }
+    return false;
+}
+
 enum status encode_check(const struct encode_target *target, struct error *e)
 {
     const struct encoder_row *row = encode_find(target->path, e);

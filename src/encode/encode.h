@@ -79,6 +79,9 @@ const struct encoder_row *encode_find(const char *path, struct error *e);
 /* Does the row write a file of that name, as against a name like "null" that stands for itself? */
 bool encode_is_file(const struct encoder_row *row, const char *path);
 
+/* Whether `has` says so of the row of any output; one that no encoder writes counts as none. */
+bool encode_any(const char *const *outputs, size_t count, bool (*has)(const struct encoder_row *));
+
 /* Checks before the run, without writing: directory exists and is writable, pattern is right,
  * encoder is in this build. */
 enum status encode_check(const struct encode_target *target, struct error *e);
