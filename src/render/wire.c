@@ -42,7 +42,7 @@ static size_t line_make(const struct camera *camera, double near, double half, c
     project(camera, end[1], p[1]);
     dx = (p[1][0] - p[0][0]) * camera->width / 2;
     dy = (p[1][1] - p[0][1]) * camera->height / 2;
-    length = hypot(dx, dy);
+    length = sqrt(dx * dx + dy * dy);
     if (!(length > 0))
         return 0;
     for (int i = 0; i < LINE_VERTICES; i++) {
