@@ -49,7 +49,7 @@ static void unknown_names_list_the_known(void **state)
         assert_null(encode_find(names[i], &e));
         assert_int_equal(e.status, STATUS_USAGE);
         assert_non_null(strstr(e.text, "NAME.mp4, NAME.webm"));
-        assert_non_null(strstr(e.text, "NAME.png, NAME.pfm, NAME.csv, hash, null"));
+        assert_non_null(strstr(e.text, "NAME.png, NAME.pdf, NAME.svg, NAME.pfm, NAME.csv, hash, null"));
     }
 }
 

@@ -53,6 +53,18 @@ result $? "the printed camera prints the same again"
 shoot --print-camera --at 0,0.1,0.4 && cp "$work/text" "$work/a.txt"
 camera --at 0,0.1,0.4 <"$work/a.txt" && same_camera
 result $? "and so do keyframes"
+
+# noted KEY=VALUE OUTPUT...: how many warnings there are that the key has no effect
+noted() {
+    key=$1
+    shift
+    "$SPH" "$work/scene.json" --threads 1 --at 0 --set "$key" "$@" 2>&1 | tee "$work/out" |
+        grep -c "warning: ${key%=*} has no effect: it is for"
+}
+[ "$(noted movie.crf=20 -o "$work/n.png")$(noted movie.pixel_format=yuv444p -o "$work/n.png")" = 11 ]
+result $? "a key of compression that no output heeds is said"
+[ "$(noted movie.crf=20 -o null)" = 0 ]
+result $? "but not where nothing is drawn"
 if "$SPH" list encoders | grep -q '^ *y4m.*not in this build'; then
     echo "1..$n"
     exit
@@ -62,6 +74,8 @@ fi
 result $? "a film on standard output is alone there"
 [ "$(head -c 22 "$work/film.y4m")" = "YUV4MPEG2 W64 H48 F100" ]
 result $? "and begins with its size"
+[ "$(noted movie.preset=veryfast -o "$work/n.gif")$(noted movie.crf=20 -o "$work/n.mp4" -o "$work/n.png")" = 10 ]
+result $? "films that heed a key do not say so"
 "$SPH" -q "$work/scene.json" --threads 1 --at 0 -o - 2>"$work/out" >/dev/full
 [ $? = 4 ]
 result $? "a full standard output is exit code 4"

@@ -2,6 +2,7 @@
 #include "base/image.h"
 
 #include "base/output.h"
+#include "base/vectors.h"
 
 #include <errno.h>
 #include <png.h>
@@ -35,6 +36,7 @@ void image_free(struct image *image)
 {
     free(image->rgba);
     free(image->raw);
+    vectors_free(image);
     memset(image, 0, sizeof *image);
 }
 

@@ -7,10 +7,14 @@
 #include <stdint.h>
 #include <stdio.h>
 
+struct _cairo_surface;
+
 struct image {
     int width, height; /* pixels */
     uint8_t *rgba;     /* height rows, top row first, width * 4 bytes each, no padding */
     float *raw;        /* what a pixel shows, in the same order, or NULL: enum raw_plane */
+    uint8_t *plain;    /* rgba before anything was written over it, or NULL: base/vectors.h */
+    struct _cairo_surface *over; /* what is written over `plain`: a cairo recording, or NULL */
 };
 
 /* Of a pixel: distance in front of the camera, m (INFINITY: nothing); the colour's value (NAN: none); the

@@ -9,7 +9,7 @@
 #include <strings.h>
 
 extern const struct encoder_row encoder_mp4, encoder_webm, encoder_mkv, encoder_gif, encoder_apng,
-    encoder_y4m, encoder_png, encoder_csv, encoder_hash, encoder_null,
+    encoder_y4m, encoder_png, encoder_pdf, encoder_svg, encoder_csv, encoder_hash, encoder_null,
     encoder_reference, encoder_pfm;
 
 static const struct variant *const rows[] = {
@@ -20,6 +20,8 @@ static const struct variant *const rows[] = {
     &encoder_apng.variant,
     &encoder_y4m.variant,
     &encoder_png.variant,
+    &encoder_pdf.variant,
+    &encoder_svg.variant,
     &encoder_pfm.variant,
     &encoder_csv.variant,
     &encoder_hash.variant,
@@ -74,6 +76,17 @@ const struct encoder_row *encode_find(const char *path, struct error *e)
     error_set(e, STATUS_USAGE, "output \"%s\": no encoder writes such a file; known are %s", path,
               known);
     return NULL;
+}
+
+bool encode_any(const char *const *outputs, size_t count, bool (*has)(const struct encoder_row *))
+{
+    struct error ignored;
+    for (size_t i = 0; i < count; i++) {
+        const struct encoder_row *row = encode_find(outputs[i], &ignored);
+        if (row && has(row))
+            return true;
+    }
+    return false;
 }
 
 enum status encode_check(const struct encode_target *target, struct error *e)

@@ -55,6 +55,7 @@ struct encoder_row {
     const struct container *container; /* of a film; else NULL */
     bool wants_pixels;             /* false: the run may skip drawing altogether */
     bool wants_raw;                /* image->raw, too */
+    bool wants_vectors;            /* image->plain and image->over, too */
     bool wants_rows;               /* of measured numbers, by `row` */
     /* What only this encoder can say about a target before the run; writes nothing. May be NULL. */
     enum status (*check)(const struct encode_target *, struct error *);
@@ -69,7 +70,7 @@ struct encoder_row {
     enum status (*close)(struct encoder *, bool keep, struct error *);
 };
 
-/* "encoders": mp4, webm ... png, csv, hash, null, reference */
+/* "encoders": mp4, webm ... png, pdf, svg, csv, hash, null, reference */
 extern const struct variant_table encode_table;
 
 /* The row for an output name, or NULL with STATUS_USAGE naming the known extensions. */
@@ -77,6 +78,9 @@ const struct encoder_row *encode_find(const char *path, struct error *e);
 
 /* Does the row write a file of that name, as against a name like "null" that stands for itself? */
 bool encode_is_file(const struct encoder_row *row, const char *path);
+
+/* Whether `has` says so of the row of any output; one that no encoder writes counts as none. */
+bool encode_any(const char *const *outputs, size_t count, bool (*has)(const struct encoder_row *));
 
 /* Checks before the run, without writing: directory exists and is writable, pattern is right,
  * encoder is in this build. */

@@ -2,22 +2,16 @@
  *
  * Portable float map, little-endian, lower row first. Frames wait as NAME.new until close. */
 #include "base/memory.h"
-#include "base/output.h"
-#include "base/sequence.h"
-#include "encode/encode.h"
+#include "encode/numbered.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 struct encoder {
-    struct sequence names;
+    struct numbered files;
     enum raw_plane plane;
     float *line;
-    long *frames;    /* numbers of those that wait */
-    size_t count, room;
 };
 
 static const char *const planes[RAW_PLANES] = {
@@ -37,13 +31,7 @@ static enum status read_names(struct encoder *encoder, const struct encode_targe
     if (!known)
         return error_set(e, STATUS_USAGE, "output \"%s\": a raw image is x.depth.pfm, x.value.pfm or "
                          "x.id.pfm", path);
-    if (sequence_read(&encoder->names, "output", path, e))
-        return e->status;
-    if (!encoder->names.digits && !target->single)
-        return error_set(e, STATUS_USAGE, "output \"%s\": each frame would replace the one before; "
-                         "write for example x-%%04d%s, or ask for one frame with --at T", path,
-                         planes[encoder->plane]);
-    return STATUS_OK;
+    return numbered_names(&encoder->files.names, target, planes[encoder->plane], e);
 }
 
 static enum status pfm_check(const struct encode_target *target, struct error *e)
@@ -55,7 +43,6 @@ static enum status pfm_check(const struct encode_target *target, struct error *e
 static void encoder_free(struct encoder *encoder)
 {
     free(encoder->line);
-    free(encoder->frames);
     memory_free(encoder);
 }
 
@@ -76,36 +63,13 @@ static enum status pfm_open(struct encoder **made, const struct encode_target *t
     return e->status;
 }
 
-/* The waiting frame's name. */
-static void staged_name(const struct encoder *encoder, long index, char name[SEQUENCE_NAME + 8])
-{
-    sequence_name(&encoder->names, index, name, SEQUENCE_NAME);
-    strcat(name, ".new");
-}
-
-static enum status note(struct encoder *encoder, long index, struct error *e)
-{
-    if (encoder->count == encoder->room) {
-        size_t room = 2 * encoder->room + 16;
-        long *grown = realloc(encoder->frames, room * sizeof *grown);
-        if (!grown)
-            return error_set(e, STATUS_RUN, "pfm: no memory to note frame %ld", index);
-        encoder->frames = grown;
-        encoder->room = room;
-    }
-    encoder->frames[encoder->count++] = index;
-    return STATUS_OK;
-}
-
 static enum status pfm_frame(struct encoder *encoder, const struct encode_frame *frame, struct error *e)
 {
     const struct image *image = frame->image;
-    struct output_file file = {0};
-    char name[SEQUENCE_NAME + 8];
-    staged_name(encoder, frame->index, name);
+    struct output_file file;
     if (!image->raw)
-        return error_set(e, STATUS_RUN, "%s: this picture has no raw numbers; a sheet has none", name);
-    if (output_open(&file, name, e))
+        return error_set(e, STATUS_RUN, "pfm: this picture has no raw numbers; a sheet has none");
+    if (numbered_open(&encoder->files, frame->index, &file, e))
         return e->status;
     fprintf(file.stream, "Pf\n%d %d\n-1.0\n", image->width, image->height);
     for (int y = image->height - 1; y >= 0; y--) {
@@ -114,23 +78,12 @@ static enum status pfm_frame(struct encoder *encoder, const struct encode_frame 
             encoder->line[x] = raw[(size_t)x * RAW_PLANES];
         fwrite(encoder->line, sizeof *encoder->line, (size_t)image->width, file.stream);
     }
-    if (output_close(&file, true, e))
-        return e->status;
-    return note(encoder, frame->index, e);
+    return numbered_close(&encoder->files, frame->index, &file, true, e);
 }
 
 static enum status pfm_close(struct encoder *encoder, bool keep, struct error *e)
 {
-    enum status status = STATUS_OK;
-    char name[SEQUENCE_NAME], staged[SEQUENCE_NAME + 8];
-    for (size_t i = 0; i < encoder->count; i++) {
-        sequence_name(&encoder->names, encoder->frames[i], name, sizeof name);
-        staged_name(encoder, encoder->frames[i], staged);
-        if (!keep)
-            unlink(staged);
-        else if (rename(staged, name))
-            status = error_set(e, STATUS_OUTPUT, "%s: %s", name, strerror(errno));
-    }
+    enum status status = numbered_end(&encoder->files, keep, e);
     encoder_free(encoder);
     return status;
 }

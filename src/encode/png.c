@@ -5,8 +5,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/queue.h"
-#include "base/sequence.h"
-#include "encode/encode.h"
+#include "encode/numbered.h"
 
 #include <errno.h>
 #include <pthread.h>
@@ -38,24 +37,10 @@ struct encoder {
     struct error error;       /* the first */
 };
 
-/* One name for all frames is an error, unless there is one frame. */
-static enum status read_names(struct sequence *names, const struct encode_target *target,
-                              struct error *e)
-{
-    const char *path = target->path;
-    if (sequence_read(names, "output", path, e))
-        return e->status;
-    if (!names->digits && !target->single)
-        return error_set(e, STATUS_USAGE, "output \"%s\": each frame would replace the one before; "
-                         "write for example %.*s-%%04d.png, or ask for one frame with --at T", path,
-                         (int)(strlen(path) - 4), path);
-    return STATUS_OK;
-}
-
 static enum status png_check(const struct encode_target *target, struct error *e)
 {
     struct sequence names;
-    return read_names(&names, target, e);
+    return numbered_names(&names, target, ".png", e);
 }
 
 static void record_error(struct encoder *encoder, const struct error *e)
@@ -139,7 +124,7 @@ static enum status png_open(struct encoder **made, const struct encode_target *t
     queue_init(&encoder->idle);
     queue_init(&encoder->ready);
     size_t workers = worker_count(target);
-    if (read_names(&encoder->names, target, e))
+    if (numbered_names(&encoder->names, target, ".png", e))
         goto fail;
     for (size_t i = 0; i < (target->single ? 1 : 2 * workers); i++) {
         struct job *job = &encoder->jobs[i];

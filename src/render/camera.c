@@ -1,6 +1,7 @@
 /* Where the picture is taken from: camera keys of the scene, orbit, and automatic framing. */
 #include "render/camera.h"
 
+#include "base/portable_math.h"
 #include "render/camera_path.h"
 
 #include <math.h>
@@ -41,7 +42,7 @@ static bool normalize(double a[3])
 /* Turns `a` about the unit vector `axis` (Rodrigues). */
 static void rotate(double a[3], const double axis[3], double angle)
 {
-    double side[3], along = dot(a, axis), c = cos(angle), s = sin(angle);
+    double side[3], along = dot(a, axis), c = portable_cos(angle), s = portable_sin(angle);
     cross(axis, a, side);
     for (int k = 0; k < 3; k++)
         a[k] = a[k] * c + side[k] * s + axis[k] * along * (1 - c);
@@ -271,7 +272,7 @@ void camera_make(struct camera *camera, const struct scene *scene, double radius
         wish.fov = 40;
     *camera = (struct camera){.width = scene->movie.size[0], .height = scene->movie.size[1],
                               .orthographic = scene->camera.projection == PROJECTION_ORTHOGRAPHIC};
-    camera->tan_y = tan(wish.fov * 3.141592653589793 / 360);
+    camera->tan_y = portable_tan(wish.fov * 3.141592653589793 / 360);
     camera->tan_x = camera->tan_y * camera->width / camera->height;
     up_axis(wish.up, up);
     if (!finite3(wish.eye)) {

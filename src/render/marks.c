@@ -9,9 +9,9 @@
 #include <stdio.h>
 
 #define BAR_MOST 0.2 /* of the picture's width */
-#define BAR_TEXT "%g %s at target"
 
-static void length_text(char *text, size_t size, double metres)
+/* Orthographic, a length is the same everywhere. */
+static void length_text(char *text, size_t size, double metres, bool orthographic)
 {
     static const struct { double least; const char *name; } units[] = {
         {1000, "km"}, {1, "m"}, {0.01, "cm"}, {0.001, "mm"}, {1e-6, "\u00b5m"}, {0, "nm"}};
@@ -19,7 +19,8 @@ static void length_text(char *text, size_t size, double metres)
     size_t u = 0;
     while (metres < units[u].least * (1 - 1e-9))
         u++;
-    snprintf(text, size, BAR_TEXT, metres * scales[u], units[u].name);
+    snprintf(text, size, "%g %s%s", metres * scales[u], units[u].name,
+             orthographic ? "" : " at target");
 }
 
 /* Distance of the target along the line of sight, m. */
@@ -40,7 +41,7 @@ void marks_bar_size(const struct ink *ink, const struct scene *scene, cairo_t *c
                     double *height)
 {
     char text[64];
-    snprintf(text, sizeof text, BAR_TEXT, 500.0, "mm");
+    length_text(text, sizeof text, 500e-6, scene->camera.projection == PROJECTION_ORTHOGRAPHIC);
     *width = ceil(fmax(BAR_MOST * scene->movie.size[0], ink_width(cr, text)));
     *height = ceil(ink->size * 2);
 }
@@ -48,12 +49,11 @@ void marks_bar_size(const struct ink *ink, const struct scene *scene, cairo_t *c
 void marks_bar_draw(const struct ink *ink, const struct scene *scene, const struct camera *camera,
                     const struct layout_box *box, cairo_t *cr)
 {
-    double distance = target_distance(scene, camera), cap = ink->size * 0.3;
+    double reach = camera->orthographic ? 1 : target_distance(scene, camera), cap = ink->size * 0.3;
     double right = floor(box->x + box->width) - 0.5, y = floor(box->y + box->height - cap) - 0.5;
-    double reach = camera->orthographic ? 1 : distance;
     double pixels = camera->height / (2 * camera_half_y(camera) * reach); /* of a metre */
     char text[64];
-    if (!(distance > 0) || !isfinite(pixels))
+    if (!(reach > 0) || !isfinite(pixels))
         return;
     double metres = ticks_round(BAR_MOST * camera->width / pixels), left;
     left = right - round(metres * pixels);
@@ -64,7 +64,7 @@ void marks_bar_draw(const struct ink *ink, const struct scene *scene, const stru
     cairo_move_to(cr, right, y - cap);
     cairo_line_to(cr, right, y + cap);
     ink_stroke(ink, cr, fmax(1, round(ink->size / 12)), NULL);
-    length_text(text, sizeof text, metres);
+    length_text(text, sizeof text, metres, camera->orthographic);
     ink_text(ink, cr, right - ink_width(cr, text), y - ink->size * 0.6, text);
 }
 

@@ -13,8 +13,8 @@ void marks_bar_size(const struct ink *ink, const struct scene *scene, cairo_t *c
                     double *height);
 double marks_axes_size(const struct ink *ink);
 
-/* A round length in the box, true at the distance of the camera's target; nothing when that is behind
- * the eye. */
+/* A round length in the box, true at the distance of the camera's target, which it says, and nothing
+ * when that is behind the eye; orthographic, it is true everywhere. */
 void marks_bar_draw(const struct ink *ink, const struct scene *scene, const struct camera *camera,
                     const struct layout_box *box, cairo_t *cr);
 void marks_axes_draw(const struct ink *ink, const struct camera *camera,

@@ -60,7 +60,7 @@ void mesh_line(struct mesh *m, const struct mesh_view *view, const double a[3], 
     project(camera, p[0], at[0]);
     project(camera, p[1], at[1]);
     double dx = (at[1][0] - at[0][0]) * camera->width / 2, dy = (at[1][1] - at[0][1]) * camera->height / 2;
-    double length = hypot(dx, dy);
+    double length = sqrt(dx * dx + dy * dy);
     if (!(length > 0))
         return;
     for (int i = 0; i < LINE_VERTICES; i++) {

@@ -24,10 +24,11 @@ struct overlay {
     const struct render_setup *setup;
     struct ink ink;
     struct layout layout;
-    cairo_surface_t *still; /* of the picture's size */
+    cairo_surface_t *still; /* of the picture's size; NULL: drawn anew, too */
     struct {
-        cairo_surface_t *surface; /* of the box; NULL: not wanted */
+        bool wanted;
         struct layout_box box;
+        cairo_surface_t *surface; /* of the box; NULL without `still` */
     } parts[PART_COUNT];
     int decimals; /* of the time stamp */
 };
@@ -42,9 +43,16 @@ static void time_text(const struct overlay *o, double time, char text[64])
     snprintf(text, 64, "t = %.*f s", o->decimals, time);
 }
 
-/* A surface for a part that changes, where it lies. */
-static enum status part_open(struct overlay *o, enum part part, const struct layout_box *box,
-                             struct error *e)
+static enum status surface_create(int width, int height, cairo_surface_t **surface, struct error *e)
+{
+    *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    if (cairo_surface_status(*surface) != CAIRO_STATUS_SUCCESS)
+        return error_set(e, STATUS_RUN, "no memory for the text over the picture");
+    return STATUS_OK;
+}
+
+/* Notes where a part that changes lies. */
+static void part_want(struct overlay *o, enum part part, const struct layout_box *box)
 {
     double margin = ceil(o->ink.size * 0.2); /* of halos */
     struct layout_box *own = &o->parts[part].box;
@@ -52,27 +60,24 @@ static enum status part_open(struct overlay *o, enum part part, const struct lay
     own->y = fmax(0, floor(box->y - margin));
     own->width = ceil(box->x + box->width + margin) - own->x;
     own->height = ceil(box->y + box->height + margin) - own->y;
-    o->parts[part].surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, (int)own->width,
-                                                        (int)own->height);
-    if (cairo_surface_status(o->parts[part].surface) != CAIRO_STATUS_SUCCESS)
-        return error_set(e, STATUS_RUN, "no memory for the text over the picture");
-    return STATUS_OK;
+    o->parts[part].wanted = true;
 }
 
 /* Places a part that changes; one without room is left out. */
-static enum status part_place(struct overlay *o, enum part part, enum label_place at, double width,
-                              double height, struct error *e)
+static void part_place(struct overlay *o, enum part part, enum label_place at, double width,
+                       double height)
 {
     struct layout_box box;
-    if (!layout_place(&o->layout, at, width, height, &box))
-        return STATUS_OK;
-    return part_open(o, part, &box, e);
+    if (layout_place(&o->layout, at, width, height, &box))
+        part_want(o, part, &box);
 }
 
 /* A text too wide for the picture shrinks rather than being cut. */
-static void label_draw(struct overlay *o, enum label_place at, double size, const char *text)
+static void label_draw(struct overlay *o, cairo_t *cr, enum label_place at, double size,
+                       const char *text)
 {
-    cairo_t *cr = ink_painter(o->still, size);
+    cairo_save(cr);
+    cairo_set_font_size(cr, size);
     double room = o->layout.width - 2 * o->layout.side, width = ink_width(cr, text);
     struct layout_box box;
     if (width > room) {
@@ -80,71 +85,76 @@ static void label_draw(struct overlay *o, enum label_place at, double size, cons
         cairo_set_font_size(cr, size);
         width = room;
     }
-    if (size < TEXT_HEIGHT_MIN || !layout_place(&o->layout, at, width, text_height(size), &box))
-        log_info("no room for the text \"%s\"", text);
-    else
+    if (size >= TEXT_HEIGHT_MIN && layout_place(&o->layout, at, width, text_height(size), &box))
         ink_text(&o->ink, cr, box.x, box.y + size, text);
-    cairo_destroy(cr);
+    else if (o->still) /* said once */
+        log_info("no room for the text \"%s\"", text);
+    cairo_restore(cr);
 }
 
-static enum status legend_open(struct overlay *o, cairo_t *cr, struct error *e)
+static void legend_place(struct overlay *o, cairo_t *cr)
 {
     const struct render_setup *setup = o->setup;
     bool still = isnan(setup->scene->color.percentiles[0]);
     struct layout_box box;
     if (!setup->scene->color.legend || setup->solid)
-        return STATUS_OK;
+        return;
     if (still) {
         legend_draw(&o->ink, setup, &setup->scale, true, cr, &box);
     } else { /* anywhere at the right edge */
         box = (struct layout_box){floor(o->layout.width * 0.6), o->layout.height * 0.2, 0, 0};
         box.width = o->layout.width - box.x;
         box.height = o->layout.height * 0.6;
-        if (part_open(o, PART_LEGEND, &box, e))
-            return e->status;
+        part_want(o, PART_LEGEND, &box);
     }
     layout_take(&o->layout, &box);
-    return STATUS_OK;
 }
 
-static enum status parts_open(struct overlay *o, cairo_t *cr, struct error *e)
+static void parts_place(struct overlay *o, cairo_t *cr)
 {
     const struct scene *scene = o->setup->scene;
     double width, height, axes = marks_axes_size(&o->ink);
     char text[64];
     time_text(o, scene->time.end, text);
-    if (scene->render.time && part_place(o, PART_TIME, LABEL_BOTTOM_LEFT, ink_width(cr, text),
-                                         text_height(o->ink.size), e))
-        return e->status;
-    if (scene->render.axes && part_place(o, PART_AXES, LABEL_BOTTOM_LEFT, axes, axes, e))
-        return e->status;
+    if (scene->render.time)
+        part_place(o, PART_TIME, LABEL_BOTTOM_LEFT, ink_width(cr, text), text_height(o->ink.size));
+    if (scene->render.axes)
+        part_place(o, PART_AXES, LABEL_BOTTOM_LEFT, axes, axes);
     marks_bar_size(&o->ink, scene, cr, &width, &height);
-    if (scene->render.scale_bar && part_place(o, PART_BAR, LABEL_BOTTOM_RIGHT, width, height, e))
-        return e->status;
-    return STATUS_OK;
+    if (scene->render.scale_bar)
+        part_place(o, PART_BAR, LABEL_BOTTOM_RIGHT, width, height);
 }
 
-static enum status all_open(struct overlay *o, struct error *e)
+/* Places all parts, and draws those that stay the same. */
+static void all_place(struct overlay *o, cairo_t *cr)
 {
     const struct scene *scene = o->setup->scene;
-    cairo_t *cr;
-    enum status status;
-    o->still = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, scene->movie.size[0],
-                                          scene->movie.size[1]);
-    if (cairo_surface_status(o->still) != CAIRO_STATUS_SUCCESS)
-        return error_set(e, STATUS_RUN, "no memory for the text over the picture");
-    cr = ink_painter(o->still, o->ink.size);
-    status = legend_open(o, cr, e);
-    if (!status && scene->render.title && scene->title[0])
-        label_draw(o, LABEL_TOP_LEFT, o->ink.size * 1.35, scene->title);
-    if (!status)
-        status = parts_open(o, cr, e);
-    for (size_t i = 0; !status && i < scene->label_count; i++)
-        label_draw(o, scene->labels[i].at, o->ink.size * scene->labels[i].size,
+    legend_place(o, cr);
+    if (scene->render.title && scene->title[0])
+        label_draw(o, cr, LABEL_TOP_LEFT, o->ink.size * 1.35, scene->title);
+    parts_place(o, cr);
+    for (size_t i = 0; i < scene->label_count; i++)
+        label_draw(o, cr, scene->labels[i].at, o->ink.size * scene->labels[i].size,
                    scene->labels[i].text);
+}
+
+/* Surfaces, and what stays the same on them. */
+static enum status all_open(struct overlay *o, struct error *e)
+{
+    const int *size = o->setup->scene->movie.size;
+    if (surface_create(size[0], size[1], &o->still, e))
+        return e->status;
+    cairo_t *cr = ink_painter(o->still, o->ink.size);
+    all_place(o, cr);
     cairo_destroy(cr);
     cairo_surface_flush(o->still);
-    return status;
+    for (int k = 0; k < PART_COUNT; k++) {
+        const struct layout_box *box = &o->parts[k].box;
+        if (o->parts[k].wanted &&
+            surface_create((int)box->width, (int)box->height, &o->parts[k].surface, e))
+            return e->status;
+    }
+    return STATUS_OK;
 }
 
 static bool is_wanted(const struct render_setup *setup)
@@ -155,32 +165,38 @@ static bool is_wanted(const struct render_setup *setup)
            (scene->color.legend && !setup->solid);
 }
 
-enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
-                         struct error *e)
+/* False when nothing is to be written. */
+static bool overlay_make(struct overlay *o, const struct render_setup *setup)
 {
     const struct scene *scene = setup->scene;
     const double *back = scene->render.background;
     double size = camera_text_size(scene), interval = scene->movie.speed / scene->movie.fps;
-    struct overlay *o;
-    enum status status;
-    *overlay = NULL;
-    if (!is_wanted(setup) || size == 0)
-        return STATUS_OK;
-    o = calloc(1, sizeof *o);
-    if (!o)
-        return error_set(e, STATUS_RUN, "out of memory");
+    memset(o, 0, sizeof *o);
     o->setup = setup;
     o->ink = (struct ink){size, back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0 : 1, back};
     o->layout = (struct layout){.width = scene->movie.size[0], .height = scene->movie.size[1],
                                 .side = size * 1.2, .end = size * 0.95, .gap = size * 0.4};
     o->decimals = interval > 0 ? (int)fmin(6, fmax(1, ceil(-log10(interval)))) : 3;
-    status = all_open(o, e);
-    if (status != STATUS_OK) {
+    return is_wanted(setup) && size > 0;
+}
+
+enum status overlay_open(struct overlay **overlay, const struct render_setup *setup,
+                         struct error *e)
+{
+    struct overlay made, *o;
+    *overlay = NULL;
+    if (!overlay_make(&made, setup))
+        return STATUS_OK;
+    o = malloc(sizeof *o);
+    if (!o)
+        return error_set(e, STATUS_RUN, "out of memory");
+    *o = made;
+    if (all_open(o, e)) {
         overlay_close(o);
-        o = NULL;
+        return e->status;
     }
     *overlay = o;
-    return status;
+    return STATUS_OK;
 }
 
 /* Puts a premultiplied ARGB pixel over an RGBA pixel, whose colours are not multiplied. */
@@ -267,6 +283,23 @@ void overlay_draw(struct overlay *o, const struct render_frame *frame, struct im
     }
 }
 
+void overlay_record(const struct render_setup *setup, const struct render_frame *frame,
+                    struct image *image, int left, int top)
+{
+    struct camera camera;
+    struct overlay o;
+    if (!overlay_make(&o, setup))
+        return;
+    camera_make(&camera, setup->scene, setup->radius, frame->time);
+    cairo_t *cr = ink_painter(image->over, o.ink.size);
+    cairo_translate(cr, left, top);
+    all_place(&o, cr);
+    for (int k = 0; k < PART_COUNT; k++)
+        if (o.parts[k].wanted)
+            part_draw(&o, (enum part)k, frame, &camera, cr);
+    cairo_destroy(cr);
+}
+
 void overlay_close(struct overlay *o)
 {
     if (!o)
@@ -300,6 +333,16 @@ void overlay_draw(struct overlay *overlay, const struct render_frame *frame, str
     (void)overlay;
     (void)frame;
     (void)image;
+}
+
+void overlay_record(const struct render_setup *setup, const struct render_frame *frame,
+                    struct image *image, int left, int top)
+{
+    (void)setup;
+    (void)frame;
+    (void)image;
+    (void)left;
+    (void)top;
 }
 
 void overlay_close(struct overlay *overlay)

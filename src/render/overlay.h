@@ -14,6 +14,10 @@ enum status overlay_open(struct overlay **overlay, const struct render_setup *se
 
 /* Puts it over a frame of movie.size. Accepts NULL. */
 void overlay_draw(struct overlay *overlay, const struct render_frame *frame, struct image *image);
+
+/* Adds the same to image->over (base/vectors.h) as lines and text, its upper left at (left, top). */
+void overlay_record(const struct render_setup *setup, const struct render_frame *frame,
+                    struct image *image, int left, int top);
 void overlay_close(struct overlay *overlay);
 
 #endif

@@ -27,6 +27,7 @@ struct render_setup {
     const char *label, *unit;    /* of the colour bar: "speed", "m/s" */
     const char *(*name)(const struct scene *scene, size_t number); /* of counts, or NULL */
     bool raw;                    /* images get raw numbers */
+    bool vectors;                /* images get what is written over them as lines and text, too */
     bool solid;                  /* no colour map: particles carry their own colour */
 };
 

@@ -1,6 +1,7 @@
 /* A renderer: what draws spheres and the domain, and what is written over it. */
 #include "render/render.h"
 
+#include "base/vectors.h"
 #include "render/camera.h"
 #include "render/canvas.h"
 #include "render/overlay.h"
@@ -102,6 +103,11 @@ enum status renderer_draw(struct renderer *r, const struct render_frame *frame,
     camera_make(&camera, r->setup.scene, r->setup.radius, frame->time);
     if (r->row->draw(r->canvas, &camera, frame, image, e))
         return error_context(e, "frame %ld", frame->index);
+    if (r->setup.vectors) {
+        if (vectors_start(image, e))
+            return e->status;
+        overlay_record(&r->setup, frame, image, 0, 0);
+    }
     overlay_draw(r->overlay, frame, image);
     return STATUS_OK;
 }

@@ -1,6 +1,8 @@
 /* How values spread over a colour map: linear or logarithmic, continuous or in steps. */
 #include "render/scale.h"
 
+#include "base/portable_math.h"
+
 #include <math.h>
 
 double scale_part(const struct color_scale *scale, double value)
@@ -9,7 +11,7 @@ double scale_part(const struct color_scale *scale, double value)
     if (!(high > low))
         return value > low;
     if (scale->log)
-        return value > 0 ? log(value / low) / log(high / low) : (double)NAN;
+        return value > 0 ? portable_log(value / low) / portable_log(high / low) : (double)NAN;
     return (value - low) / (high - low);
 }
 

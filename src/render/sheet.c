@@ -1,6 +1,7 @@
 /* Lays pictures out as a contact sheet. */
 #include "render/sheet.h"
 
+#include "base/vectors.h"
 #include "render/camera.h"
 #include "render/overlay.h"
 
@@ -91,11 +92,15 @@ enum status sheet_open(struct sheet **sheet, const struct render_setup *setup, c
         return e->status;
     }
     fill(&s->image, scene->render.background);
+    if (setup->vectors && vectors_start(&s->image, e)) {
+        sheet_close(s);
+        return e->status;
+    }
     *sheet = s;
     return STATUS_OK;
 }
 
-void sheet_add(struct sheet *s, double time, const struct image *picture)
+void sheet_add(struct sheet *s, double time, struct image *picture)
 {
     int column = s->count % s->cells[0], row = s->count / s->cells[0];
     size_t left = (size_t)(s->gap + column * (s->width + s->gap));
@@ -112,6 +117,11 @@ void sheet_add(struct sheet *s, double time, const struct image *picture)
     for (size_t y = 0; y < (size_t)(s->height + s->band); y++)
         memcpy(s->image.rgba + ((top + y) * (size_t)s->image.width + left) * 4,
                cell + y * (size_t)s->cell.width * 4, line);
+    if (s->image.plain) {
+        vectors_move(picture, &s->image, (int)left, (int)top);
+        overlay_record(&s->setup, &(struct render_frame){.time = time}, &s->image, (int)left,
+                       (int)top - (int)above);
+    }
 }
 
 const struct image *sheet_image(const struct sheet *sheet)

@@ -15,8 +15,9 @@ void sheet_size(const struct scene *scene, const int cells[2], int size[2]);
 enum status sheet_open(struct sheet **sheet, const struct render_setup *setup, const int cells[2],
                        struct error *e);
 
-/* Puts a picture of movie.size into the next cell, by rows; beyond the last it is left out. */
-void sheet_add(struct sheet *sheet, double time, const struct image *picture);
+/* Puts a picture of movie.size into the next cell, by rows; beyond the last it is left out. Takes what is
+ * over it as lines and text, if any. */
+void sheet_add(struct sheet *sheet, double time, struct image *picture);
 
 const struct image *sheet_image(const struct sheet *sheet);
 void sheet_close(struct sheet *sheet); /* accepts NULL */

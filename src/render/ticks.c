@@ -71,6 +71,17 @@ static void power_text(char *text, size_t size, int exponent)
              digits[n % 10]);
 }
 
+/* "10^6" and "2 10^6" with a dot, the exponent raised. */
+static void times_power_text(char text[TICK_TEXT], int digit, int exponent)
+{
+    char power[24];
+    power_text(power, sizeof power, exponent);
+    if (digit > 1)
+        snprintf(text, TICK_TEXT, "%d\u00b7%s", digit, power);
+    else
+        snprintf(text, TICK_TEXT, "%s", power);
+}
+
 /* Ticks at 1, 2 .. 9 times powers of ten; texts at every `every`th power, or (every 0) at 1, 2 and 5
  * times each. */
 static void decades_make(struct ticks *ticks, const struct color_scale *scale, int every)
@@ -85,10 +96,10 @@ static void decades_make(struct ticks *ticks, const struct color_scale *scale, i
             char text[TICK_TEXT] = "";
             if (part < -1e-9 || part > 1 + 1e-9 || (!said && every > 1))
                 continue;
-            if (said && (plain || digit > 1))
-                snprintf(text, sizeof text, "%.4g", value);
+            if (said && plain)
+                snprintf(text, sizeof text, "%.5g", value);
             else if (said)
-                power_text(text, sizeof text, n);
+                times_power_text(text, digit, n);
             add(ticks, part, text);
         }
 }

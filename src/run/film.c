@@ -195,18 +195,6 @@ static struct encode_target target_of(const struct film_setup *setup, size_t out
     };
 }
 
-/* Whether the row of any output has what `has` looks at. */
-static bool any_output(const char *const *outputs, size_t count, bool (*has)(const struct encoder_row *))
-{
-    struct error ignored;
-    for (size_t i = 0; i < count; i++) {
-        const struct encoder_row *row = encode_find(outputs[i], &ignored);
-        if (row && has(row))
-            return true;
-    }
-    return false;
-}
-
 static bool has_pixels(const struct encoder_row *row)
 {
     return row->wants_pixels;
@@ -219,18 +207,26 @@ static bool has_raw(const struct encoder_row *row)
 {
     return row->wants_raw;
 }
+static bool has_vectors(const struct encoder_row *row)
+{
+    return row->wants_vectors;
+}
 
 bool film_wants_pixels(const char *const *outputs, size_t count)
 {
-    return any_output(outputs, count, has_pixels);
+    return encode_any(outputs, count, has_pixels);
 }
 bool film_wants_rows(const char *const *outputs, size_t count)
 {
-    return any_output(outputs, count, has_rows);
+    return encode_any(outputs, count, has_rows);
 }
 bool film_wants_raw(const char *const *outputs, size_t count)
 {
-    return any_output(outputs, count, has_raw);
+    return encode_any(outputs, count, has_raw);
+}
+bool film_wants_vectors(const char *const *outputs, size_t count)
+{
+    return encode_any(outputs, count, has_vectors);
 }
 
 static enum status check_outputs(const struct film_setup *setup, struct error *e)

@@ -64,9 +64,10 @@ struct film;
  * writes counts as none. */
 bool film_wants_pixels(const char *const *outputs, size_t count);
 
-/* The same for rows of measured numbers. */
+/* The same for rows of measured numbers, raw numbers of pixels, and text that is not pixels. */
 bool film_wants_rows(const char *const *outputs, size_t count);
 bool film_wants_raw(const char *const *outputs, size_t count);
+bool film_wants_vectors(const char *const *outputs, size_t count);
 
 /* Checks every output, then opens every encoder and, in the drawing thread, the renderer. The
  * scene and the render_setup must outlive the film; the setup itself and the outputs need not.

@@ -6,6 +6,7 @@
 #include "base/output.h"
 #include "run/frame.h"
 #include "run/report.h"
+#include "run/video.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -157,24 +158,6 @@ static enum status run_times(struct session *x, struct error *e)
     return advance(x, x->end, e);
 }
 
-/* NULL leaves it to the codec. */
-static const char *said(const char *text)
-{
-    return strcmp(text, "auto") == 0 || !text[0] ? NULL : text;
-}
-
-/* `crf` is room for the number as text. */
-static struct encode_video video_options(const struct scene *scene, char crf[32])
-{
-    snprintf(crf, 32, "%g", scene->movie.crf);
-    return (struct encode_video){.codec = said(scene->movie.codec),
-                                 .crf = isnan(scene->movie.crf) ? NULL : crf,
-                                 .preset = said(scene->movie.preset),
-                                 .tune = said(scene->movie.tune),
-                                 .pixel_format = said(scene->movie.pixel_format),
-                                 .options = said(scene->movie.options)};
-}
-
 static enum status film_start(struct session *x, const struct run_options *options,
                               struct error *e)
 {
@@ -185,6 +168,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
         .renderer = options->renderer ? options->renderer : "auto",
         .threads = options->threads,
         .raw = film_wants_raw(options->outputs, options->output_count),
+        .vectors = film_wants_vectors(options->outputs, options->output_count),
         .isa = options->isa,
         .radius = scene->render.radius * scene->particles.spacing,
     };
@@ -202,12 +186,12 @@ static enum status film_start(struct session *x, const struct run_options *optio
     }
     static struct render_setup kept; /* the film keeps a pointer to it */
     kept = render;
-    char crf[32], comment[100];
+    char crf[VIDEO_NUMBER], comment[100];
     snprintf(comment, sizeof comment, "sph-render %s, scene %016" PRIx64, SPH_VERSION,
              scene_hash(scene, &run_vocabulary));
     struct film_setup setup = {.scene = scene,
                                .comment = comment,
-                               .video = video_options(scene, crf),
+                               .video = video_of_scene(scene, crf),
                                .render = plan->draws ? &kept : NULL,
                                .outputs = options->outputs,
                                .output_count = options->output_count,
@@ -217,6 +201,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
                                .single = options->time_count == 1 || options->sheet[0],
                                .frame_count = x->frames.count,
                                .reference = options->reference};
+    video_warn(&setup.video, options->outputs, options->output_count);
     return film_open(&x->film, &setup, e);
 }
 

@@ -222,7 +222,7 @@ const struct key scene_core_keys[] = {
     {"render.background_top", KEY_VEC3, KEY_AUTO, "\"auto\"", 0, 1, "", NULL,
      "of the upper edge, fading downwards; auto: render.background", IN(render.background_top)},
     {"render.transparent", KEY_BOOL, 0, "false", ANY, "", NULL,
-     "no background: PNG with alpha", IN(render.transparent)},
+     "no background: pictures with alpha", IN(render.transparent)},
     {"render.samples", KEY_INT, 0, "2", 1, 4, "", NULL,
      "samples of a pixel, in x and in y", IN(render.samples)},
     {"render.outline", KEY_REAL, 0, "0", 0, 1, "radii", NULL,
