@@ -14,8 +14,9 @@ static void map_color(const uint8_t map[MAP_SIZE][3], double place, uint8_t rgb[
         rgb[k] = (uint8_t)(map[low][k] + (t - low) * (map[low + 1][k] - map[low][k]) + 0.5);
 }
 
-/* The samples first..end - 1 whose rays may meet the sphere along one axis: what is within the tangents
- * from the eye, and one more; `half` is half the picture's samples per tangent, of either sign. */
+/* The samples first..end - 1 whose rays, through their middles, may meet the sphere along one axis: what
+ * is within the tangents from the eye, and a little more for rounding; `half` is half the picture's
+ * samples per tangent, of either sign. */
 static inline void extent(float center, float z, float radius, bool parallel, float half, int count,
                           uint16_t *first, uint16_t *end)
 {
@@ -24,8 +25,9 @@ static inline void extent(float center, float z, float radius, bool parallel, fl
         float reach = parallel ? radius : radius * sqrtf(center * center + under);
         float scale = parallel ? half : half / under, middle = parallel ? center : center * z;
         float low = (middle - reach) * scale, high = (middle + reach) * scale;
-        a = (low < high ? low : high) + 0.5F * most - 1;
-        b = (low < high ? high : low) + 0.5F * most + 1;
+        float more = 0.55F + 1e-3F * fabsf(high - low);
+        a = (low < high ? low : high) + 0.5F * most - more + 1;
+        b = (low < high ? high : low) + 0.5F * most + more;
     }
     *first = (uint16_t)(a > 0 ? a < most ? a : most : 0);
     *end = (uint16_t)(b > 0 ? b < most ? b : most : 0);

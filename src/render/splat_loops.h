@@ -82,12 +82,15 @@ static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number
     box[3] = box[3] < tile->height ? box[3] : tile->height;
     if (ball_is_hidden(tile, ball, s->radius, box))
         return;
+    const int left = box[0] < TILE - CHUNK ? box[0] : TILE - CHUNK;
     for (int y = box[1]; y < box[3]; y++)
-        for (int x = box[0] & ~(CHUNK - 1); x < box[2]; x += CHUNK)
-            chunk_splat(s, ball, number, s->ray_x + tile->left + x, s->ray_y[tile->top + y],
-                        &tile->depth[y][x], &tile->ball[y][x]);
+        for (int x = left; x < box[2]; x += CHUNK) {
+            int at = x < TILE - CHUNK ? x : TILE - CHUNK; /* some samples twice, which changes nothing */
+            chunk_splat(s, ball, number, s->ray_x + tile->left + at, s->ray_y[tile->top + y],
+                        &tile->depth[y][at], &tile->ball[y][at]);
+        }
     for (int row = box[1] / BLOCK; row * BLOCK < box[3]; row++)
-        for (int column = (box[0] & ~(CHUNK - 1)) / BLOCK; column * BLOCK < box[2]; column++)
+        for (int column = box[0] / BLOCK; column * BLOCK < box[2]; column++)
             tile->stale[row][column] = true;
 }
 
