@@ -218,6 +218,19 @@ static inline bool blend_covers(const struct blend *b, double x, double y)
     return true;
 }
 
+/* Whether no sample of the tile is in the triangle: for each edge the corner farthest inwards is asked,
+ * by blend_covers' sum, which rounding leaves monotonic. */
+static bool blend_misses(const struct blend *b, const struct tile *tile)
+{
+    for (int k = 0; k < 3; k++) {
+        double x = tile->left + 0.5 + (b->edge[k][1] > 0 ? tile->width - 1 : 0);
+        double y = tile->top + 0.5 + (b->edge[k][2] > 0 ? tile->height - 1 : 0);
+        if (b->edge[k][0] + b->edge[k][2] * y + b->edge[k][1] * x < 0)
+            return true;
+    }
+    return false;
+}
+
 /* Samples x..end of a row, all of them in the triangle. */
 static inline void span_blend(const struct blend *b, struct tile *tile, int planes, int y, int x,
                               int end)
@@ -350,7 +363,8 @@ static void tile_shade(const struct splat *s, struct tile *tile)
 static void tile_finish(const struct splat *s, struct tile *tile)
 {
     for (size_t i = 0; i < s->blend_count; i++)
-        tile_blend(&s->blends[i], tile, s->planes);
+        if (!blend_misses(&s->blends[i], tile))
+            tile_blend(&s->blends[i], tile, s->planes);
     tile_resolve(s, tile);
 }
 
