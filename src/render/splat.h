@@ -74,6 +74,7 @@ struct tile {
 };
 
 /* One row for each instruction set: the same loops. */
+struct project_loops; /* render/project.h */
 struct surface_loops; /* render/surface.h */
 struct splat_isa {
     const char *name;
@@ -84,6 +85,7 @@ struct splat_isa {
     void (*shade)(const struct splat *splat, struct tile *tile);
     /* Blends the triangles over them and writes the tile's pixels. */
     void (*finish)(const struct splat *splat, struct tile *tile);
+    const struct project_loops *project;
     const struct surface_loops *surface;
 };
 extern const struct splat_isa splat_scalar, splat_avx2, splat_avx512;

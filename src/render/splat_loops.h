@@ -368,4 +368,5 @@ static void tile_finish(const struct splat *s, struct tile *tile)
     tile_resolve(s, tile);
 }
 
+#include "render/project_loops.h"
 #include "render/surface_loops.h"
