@@ -66,6 +66,7 @@ struct splat {
 
 struct tile {
     int left, top, width, height; /* samples */
+    bool plain;                   /* nothing but the background is in it, and its colours are not made */
     _Alignas(64) float depth[TILE][TILE]; /* INFINITY: nothing; the struct is a multiple of a cache line */
     uint32_t ball[TILE][TILE];    /* UINT32_MAX: none */
     float far[BLOCKS][BLOCKS];    /* largest depth of a block */

@@ -296,19 +296,35 @@ static inline void samples_add(const float *restrict color, int n, int count, fl
             sum[x] += color[n * x];
 }
 
-/* One row of pixels: the means of their n x n samples, rounded; colours are divided by alpha. */
-static inline void row_resolve(const struct splat *s, const struct tile *tile, int y, uint8_t *rgba)
+/* Sums of the samples of a row of pixels. */
+static inline void row_sum(const struct tile *tile, int y, int n, int planes, float sum[4][TILE])
 {
-    const int n = s->samples, width = tile->width / n;
-    const float scale = 1.0F / (float)(n * n);
-    float sum[4][TILE] = {{0}};
-    uint32_t out[TILE];
-    for (int k = 0; k < s->planes; k++)
+    for (int k = 0; k < planes; k++)
         for (int j = 0; j < n * n; j++)
-            samples_add(&tile->color[k][y * n + j / n][j % n], n, width, sum[k]);
+            samples_add(&tile->color[k][y * n + j / n][j % n], n, tile->width / n, sum[k]);
+}
+
+/* The same where only the background is. */
+static inline void row_sum_back(const struct splat *s, const struct tile *tile, int y, float sum[4][TILE])
+{
+    const int n = s->samples;
+    for (int k = 0; k < s->planes; k++) {
+        float all = 0;
+        for (int j = 0; j < n * n; j++)
+            all += back_of(s, k, tile->top + y * n + j / n);
+        for (int x = 0; x < TILE; x++)
+            sum[k][x] = all;
+    }
+}
+
+/* One row of pixels: the means of their n x n samples, rounded; colours are divided by alpha. */
+static inline void row_write(const struct splat *s, float sum[4][TILE], int width, uint8_t *rgba)
+{
+    const float count = (float)(s->samples * s->samples), scale = 1.0F / count;
+    uint32_t out[TILE];
     for (int x = 0; s->planes == 3 && x < TILE; x++)
-        sum[3][x] = (float)(n * n);
-    for (int x = 0; x < TILE; x++) {
+        sum[3][x] = count;
+    for (int x = 0; x < width; x++) {
         float alpha = sum[3][x] * scale, part = 255 * scale / (alpha > 1e-4F ? alpha : 1);
         uint32_t red = (uint32_t)(int)(sum[0][x] * part + 0.5F);
         uint32_t green = (uint32_t)(int)(sum[1][x] * part + 0.5F);
@@ -322,9 +338,15 @@ static inline void row_resolve(const struct splat *s, const struct tile *tile, i
 static void tile_resolve(const struct splat *s, const struct tile *tile)
 {
     const int n = s->samples;
-    for (int y = 0; y < tile->height / n; y++)
-        row_resolve(s, tile, y, s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch +
-                                               (size_t)(tile->left / n)));
+    for (int y = 0; y < tile->height / n; y++) {
+        float sum[4][TILE] = {{0}};
+        if (tile->plain)
+            row_sum_back(s, tile, y, sum);
+        else
+            row_sum(tile, y, n, s->planes, sum);
+        row_write(s, sum, tile->width / n,
+                  s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch + (size_t)(tile->left / n)));
+    }
 }
 
 /* Whether all samples of the tile show something nearer than any sphere whose centre is that far. */
@@ -344,6 +366,7 @@ enum { FULL_EVERY = 32, AHEAD = 12 };
 static void tile_fill(const struct splat *s, struct tile *tile, const struct ball_list *list)
 {
     tile_clear(tile);
+    tile->plain = list->count == 0;
     for (size_t i = 0; i < list->count; i++) {
         if (i % FULL_EVERY == 0 && tile_is_full(tile, list->entry[i].z - list->step, s->radius))
             return;
@@ -353,18 +376,29 @@ static void tile_fill(const struct splat *s, struct tile *tile, const struct bal
     }
 }
 
-static void tile_shade(const struct splat *s, struct tile *tile)
+static void tile_color(const struct splat *s, struct tile *tile)
 {
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x += CHUNK)
             chunk_color(s, tile, x, y);
 }
 
+static void tile_shade(const struct splat *s, struct tile *tile)
+{
+    if (!tile->plain)
+        tile_color(s, tile);
+}
+
 static void tile_finish(const struct splat *s, struct tile *tile)
 {
-    for (size_t i = 0; i < s->blend_count; i++)
-        if (!blend_misses(&s->blends[i], tile))
-            tile_blend(&s->blends[i], tile, s->planes);
+    for (size_t i = 0; i < s->blend_count; i++) {
+        if (blend_misses(&s->blends[i], tile))
+            continue;
+        if (tile->plain)
+            tile_color(s, tile);
+        tile->plain = false;
+        tile_blend(&s->blends[i], tile, s->planes);
+    }
     tile_resolve(s, tile);
 }
 
