@@ -50,8 +50,8 @@ static bool ball_is_hidden(struct tile *tile, const struct ball *ball, float rad
     return true;
 }
 
-/* CHUNK samples of a row. */
-static inline void chunk_splat(const struct splat *s, const struct ball *ball, uint32_t number,
+/* `lanes` samples of a row. */
+static inline void chunk_splat(const struct splat *s, const struct ball *ball, uint32_t number, int lanes,
                                const float *restrict ray_x, float y, float *restrict depth,
                                uint32_t *restrict nearest)
 {
@@ -59,7 +59,7 @@ static inline void chunk_splat(const struct splat *s, const struct ball *ball, u
     const float oy = scale * y - ball->y, dy = s->lens * y, lens = s->lens;
     const float bx = ball->x, bz = ball->z, rest = oy * oy - r2, across = oy * dy, side = dy * dy + 1;
 #pragma omp simd
-    for (int l = 0; l < CHUNK; l++) {
+    for (int l = 0; l < lanes; l++) {
         float ox = scale * ray_x[l] - bx, dx = lens * ray_x[l];
         float along = ox * dx + across, square = dx * dx + side;
         float root = along * along - square * (ox * ox + rest);
@@ -69,6 +69,18 @@ static inline void chunk_splat(const struct splat *s, const struct ball *ball, u
         depth[l] = hit ? z : depth[l];
         nearest[l] = hit ? number : nearest[l];
     }
+}
+
+/* The samples of a box, in rows of `lanes` and more; some twice, which changes nothing. */
+static inline void box_splat(const struct splat *s, struct tile *tile, const struct ball *ball,
+                             uint32_t number, const int box[4], int lanes)
+{
+    for (int y = box[1]; y < box[3]; y++)
+        for (int x = box[0]; x < box[2]; x += lanes) {
+            int at = x < TILE - lanes ? x : TILE - lanes;
+            chunk_splat(s, ball, number, lanes, s->ray_x + tile->left + at, s->ray_y[tile->top + y],
+                        &tile->depth[y][at], &tile->ball[y][at]);
+        }
 }
 
 static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number)
@@ -82,13 +94,10 @@ static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number
     box[3] = box[3] < tile->height ? box[3] : tile->height;
     if (ball_is_hidden(tile, ball, s->radius, box))
         return;
-    const int left = box[0] < TILE - CHUNK ? box[0] : TILE - CHUNK;
-    for (int y = box[1]; y < box[3]; y++)
-        for (int x = left; x < box[2]; x += CHUNK) {
-            int at = x < TILE - CHUNK ? x : TILE - CHUNK; /* some samples twice, which changes nothing */
-            chunk_splat(s, ball, number, s->ray_x + tile->left + at, s->ray_y[tile->top + y],
-                        &tile->depth[y][at], &tile->ball[y][at]);
-        }
+    if (box[2] - box[0] <= CHUNK / 2)
+        box_splat(s, tile, ball, number, box, CHUNK / 2);
+    else
+        box_splat(s, tile, ball, number, box, CHUNK);
     for (int row = box[1] / BLOCK; row * BLOCK < box[3]; row++)
         for (int column = box[0] / BLOCK; column * BLOCK < box[2]; column++)
             tile->stale[row][column] = true;
