@@ -53,7 +53,7 @@ static inline void chunk_seen(const struct viewpoint *v, const float *restrict x
         float distance2 = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
         bool ahead = (z[l] > 0) & (distance2 > r2) & (distance2 < 1e30F);
         bool any = ((int)box[0][l] < (int)box[1][l]) & ((int)box[2][l] < (int)box[3][l]);
-        seen[l] = ahead & any ? 1 : 0;
+        seen[l] = (ahead & any) ? 1 : 0;
     }
 }
 

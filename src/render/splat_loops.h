@@ -10,7 +10,7 @@ static void tile_clear(struct tile *tile)
 {
     for (int y = 0; y < TILE; y++)
         for (int x = 0; x < TILE; x++) {
-            tile->depth[y][x] = (x < tile->width) & (y < tile->height) ? INFINITY : 0;
+            tile->depth[y][x] = ((x < tile->width) & (y < tile->height)) ? INFINITY : 0;
             tile->ball[y][x] = UINT32_MAX;
         }
     for (int y = 0; y < BLOCKS; y++)
