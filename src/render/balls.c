@@ -5,72 +5,44 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Between the two nearest colours of the map; the ends of the range are the first and the last. */
-static void map_color(const uint8_t map[MAP_SIZE][3], double place, uint8_t rgb[3])
+/* The colours of count spheres, those of particles from i on. */
+static void balls_color(const struct ball_view *v, const struct occlusion *occlusion,
+                        const struct render_frame *frame, size_t i, size_t count, struct ball *balls)
 {
-    double t = place * (MAP_SIZE - 1);
-    int low = t < MAP_SIZE - 2 ? (int)t : MAP_SIZE - 2;
-    for (int k = 0; k < 3; k++)
-        rgb[k] = (uint8_t)(map[low][k] + (t - low) * (map[low + 1][k] - map[low][k]) + 0.5);
-}
-
-/* The samples first..end - 1 whose rays may meet the sphere along one axis: what is within the tangents
- * from the eye, and one more; `half` is half the picture's samples per tangent, of either sign. */
-static inline void extent(float center, float z, float radius, bool parallel, float half, int count,
-                          uint16_t *first, uint16_t *end)
-{
-    float under = z * z - radius * radius, most = (float)count, a = 0, b = most;
-    if (parallel || z > radius * 1.01F) {
-        float reach = parallel ? radius : radius * sqrtf(center * center + under);
-        float scale = parallel ? half : half / under, middle = parallel ? center : center * z;
-        float low = (middle - reach) * scale, high = (middle + reach) * scale;
-        a = (low < high ? low : high) + 0.5F * most - 1;
-        b = (low < high ? high : low) + 0.5F * most + 1;
-    }
-    *first = (uint16_t)(a > 0 ? a < most ? a : most : 0);
-    *end = (uint16_t)(b > 0 ? b < most ? b : most : 0);
-}
-
-/* A sphere without extent is out of sight: behind the eye, around it, or not a number. */
-static void ball_make(const struct ball_view *v, const struct occlusion *occlusion,
-                      const struct render_frame *frame, size_t i, struct ball *ball)
-{
-    const float *p = frame->position + 3 * i;
-    const double *m = v->camera->right, *u = v->camera->up, *f = v->camera->forward;
-    double x = p[0] - v->camera->eye[0], y = p[1] - v->camera->eye[1], z = p[2] - v->camera->eye[2];
-    *ball = (struct ball){(float)(x * m[0] + y * m[1] + z * m[2]), (float)(x * u[0] + y * u[1] + z * u[2]),
-                          (float)(x * f[0] + y * f[1] + z * f[2]), {0}, 0, 0, 0, 0};
-    float radius = (float)v->radius;
-    float distance2 = ball->x * ball->x + ball->y * ball->y + ball->z * ball->z;
-    if (!(ball->z > 0 && (distance2 > radius * radius || v->camera->orthographic) && distance2 < 1e30F))
-        return;
-    const struct color_scale *scale = frame->scale ? frame->scale : &v->setup->scale;
-    extent(ball->x, ball->z, radius, v->camera->orthographic, v->half[0], v->width, &ball->left, &ball->right);
-    extent(ball->y, ball->z, radius, v->camera->orthographic, v->half[1], v->height, &ball->top, &ball->bottom);
-    if (v->setup->solid)
-        memcpy(ball->rgb, frame->color + 4 * i, 3);
-    else
-        map_color(v->setup->palette, scale_place(scale, frame->value[i]), ball->rgb);
     const float strength = (float)v->setup->scene->render.occlusion;
-    if (strength > 0) {
-        float shade = occlusion_shade(occlusion, p, strength);
+    const struct color_scale *scale = frame->scale ? frame->scale : &v->setup->scale;
+    if (!v->setup->solid)
+        v->loops->color(scale, v->map, frame->value + i, count, balls);
+    for (size_t l = 0; l < count && v->setup->solid; l++)
+        memcpy(balls[l].rgb, frame->color + 4 * (i + l), 3);
+    for (size_t l = 0; l < count && strength > 0; l++) {
+        float shade = occlusion_shade(occlusion, frame->position + 3 * (i + l), strength);
         for (int k = 0; k < 3; k++)
-            ball->rgb[k] = (uint8_t)((float)ball->rgb[k] * shade + 0.5F);
+            balls[l].rgb[k] = (uint8_t)((float)balls[l].rgb[k] * shade + 0.5F);
     }
+}
+
+/* The tile of a sample, along one axis. */
+static inline int tile_at(const struct bins *b, int sample)
+{
+    return (int)((uint64_t)sample * b->inverse >> 32);
 }
 
 /* Calls for each tile that the sphere may cover. */
-#define FOR_TILES(ball, bins, index)                                                               \
-    if ((ball)->left < (ball)->right)                                                              \
-        for (int row_ = (ball)->top / (bins)->tile; row_ * (bins)->tile < (ball)->bottom; row_++)  \
-            for (int column_ = (ball)->left / (bins)->tile, index = row_ * (bins)->columns + column_; \
-                 column_ * (bins)->tile < (ball)->right; column_++, index++)
+#define FOR_TILES(ball, bins, index)                                                                   \
+    if ((ball)->left < (ball)->right)                                                                  \
+        for (int row_ = tile_at(bins, (ball)->top), last_ = tile_at(bins, (ball)->bottom - 1);         \
+             row_ <= last_; row_++)                                                                    \
+            for (int index = row_ * (bins)->columns + tile_at(bins, (ball)->left),                     \
+                     end_ = row_ * (bins)->columns + tile_at(bins, (ball)->right - 1);                 \
+                 index <= end_; index++)
 
 static enum status bins_room(struct bins *b, const struct ball_view *v, struct error *e)
 {
     b->tile = v->tile;
-    b->columns = (v->width + v->tile - 1) / v->tile;
-    b->rows = (v->height + v->tile - 1) / v->tile;
+    b->inverse = (UINT32_MAX + (uint64_t)v->tile) / (uint64_t)v->tile;
+    b->columns = (v->from.size[0] + v->tile - 1) / v->tile;
+    b->rows = (v->from.size[1] + v->tile - 1) / v->tile;
     size_t tiles = (size_t)b->columns * (size_t)b->rows;
     if (tiles > b->tile_room) {
         free(b->start);
@@ -88,6 +60,21 @@ static size_t share(size_t count, int t, int threads)
     return count / (size_t)threads * (size_t)t + (t == threads ? count % (size_t)threads : 0);
 }
 
+/* Makes the spheres of particles i to end - 1, and counts them in each tile. */
+static void balls_make_some(struct balls *s, const struct ball_view *v, const struct render_frame *frame,
+                            size_t i, size_t end, size_t *tiles)
+{
+    for (; i < end; i += CHUNK) {
+        struct ball *balls = s->ball + i;
+        const size_t count = end - i < CHUNK ? end - i : CHUNK;
+        v->loops->place(&v->from, frame->position + 3 * i, count, balls);
+        balls_color(v, &s->occlusion, frame, i, count, balls);
+        for (size_t l = 0; l < count; l++)
+            FOR_TILES(&balls[l], &s->bins, tile)
+                tiles[tile]++;
+    }
+}
+
 static void balls_count(struct balls *s, const struct ball_view *v, const struct render_frame *frame)
 {
     struct bins *b = &s->bins;
@@ -95,11 +82,8 @@ static void balls_count(struct balls *s, const struct ball_view *v, const struct
     memset(b->next, 0, tiles * (size_t)v->threads * sizeof *b->next);
 #pragma omp parallel for schedule(static, 1) num_threads(v->threads)
     for (int t = 0; t < v->threads; t++)
-        for (size_t i = share(s->count, t, v->threads); i < share(s->count, t + 1, v->threads); i++) {
-            ball_make(v, &s->occlusion, frame, i, &s->ball[i]);
-            FOR_TILES(&s->ball[i], b, tile)
-                b->next[(size_t)t * tiles + (size_t)tile]++;
-        }
+        balls_make_some(s, v, frame, share(s->count, t, v->threads), share(s->count, t + 1, v->threads),
+                        b->next + (size_t)t * tiles);
 }
 
 /* Counts become places: lists one after another, in each those of the first thread first. */

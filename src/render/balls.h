@@ -2,16 +2,16 @@
 #ifndef RENDER_BALLS_H
 #define RENDER_BALLS_H
 
-#include "render/camera.h"
 #include "render/occlusion.h"
+#include "render/project.h"
 #include "render/render.h"
-#include "render/splat.h"
 
 /* Lists of spheres by tile: those of tile i are entry[start[i]] to entry[start[i + 1] - 1]. */
 struct bins {
     int columns, rows, tile; /* tiles in the picture; samples of a tile's side */
     struct ball_entry *entry, *sorted;
     size_t *start, *next;    /* next: of each thread and tile, while lists are filled */
+    uint64_t inverse;        /* 2^32 / tile, rounded up: (x * inverse) >> 32 is the tile of sample x */
     size_t entries, entry_room, tile_room;
 };
 
@@ -24,11 +24,10 @@ struct balls {
 
 /* What spheres are seen by. */
 struct ball_view {
-    const struct camera *camera;
+    struct viewpoint from;
+    const struct project_loops *loops;
     const struct render_setup *setup;
-    double radius;           /* m */
-    int width, height;       /* samples of the picture */
-    float half[2];           /* samples from its middle to tangent 1, rightwards and downwards */
+    const uint32_t *map;     /* the palette, see project_loops.color */
     int tile, threads;
 };
 

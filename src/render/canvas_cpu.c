@@ -1,6 +1,7 @@
 /* The renderer that needs no OpenGL: spheres into tiles, by all processors (render/splat.h). */
 #include "render/balls.h"
 #include "render/blend.h"
+#include "render/camera.h"
 #include "render/canvas.h"
 #include "render/surface.h"
 
@@ -20,6 +21,7 @@ struct canvas {
     float *ray_x, *ray_y; /* of each column and row */
     struct balls balls;
     struct tile *tiles;   /* of each thread */
+    uint32_t map[MAP_SIZE]; /* the palette, red in the lowest byte */
     struct surface surface; /* of style surface */
     bool has_surface;
     char name[64];
@@ -92,6 +94,9 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     c->height = size[1] * c->samples;
     snprintf(c->name, sizeof c->name, "cpu (%s, %d thread%s)", c->isa->name, c->threads,
              c->threads == 1 ? "" : "s");
+    for (int i = 0; i < MAP_SIZE; i++)
+        c->map[i] = setup->palette[i][0] | (uint32_t)setup->palette[i][1] << 8 |
+                    (uint32_t)setup->palette[i][2] << 16;
     if (room_make(c, e)) {
         canvas_close(c);
         return e->status;
@@ -283,6 +288,19 @@ static double surface_prepare(struct canvas *c, const struct camera *camera)
     return radius;
 }
 
+static struct viewpoint viewpoint_make(const struct canvas *c, const struct camera *camera, double radius)
+{
+    struct viewpoint v = {.half = {(float)(c->width / 2.0 / camera_half_x(camera)),
+                                   (float)(-c->height / 2.0 / camera_half_y(camera))},
+                          .size = {c->width, c->height}, .radius = (float)radius,
+                          .lens = camera->orthographic ? 0 : 1};
+    memcpy(v.eye, camera->eye, sizeof v.eye);
+    memcpy(v.axis[0], camera->right, sizeof v.axis[0]);
+    memcpy(v.axis[1], camera->up, sizeof v.axis[1]);
+    memcpy(v.axis[2], camera->forward, sizeof v.axis[2]);
+    return v;
+}
+
 static enum status canvas_draw(void *canvas, const struct camera *camera,
                                const struct render_frame *frame, struct image *image, struct error *e)
 {
@@ -294,11 +312,9 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
                           .look = look_make(scene->render.outline),
                           .samples = c->samples, .rgba = image->rgba,
                           .pitch = (size_t)image->width};
-    struct ball_view view = {.camera = camera, .radius = radius, .width = c->width,
-                             .height = c->height, .tile = TILE / c->samples * c->samples,
-                             .half = {(float)(c->width / 2.0 / camera_half_x(camera)),
-                                      (float)(-c->height / 2.0 / camera_half_y(camera))},
-                             .threads = c->threads, .setup = &c->setup};
+    struct ball_view view = {.from = viewpoint_make(c, camera, radius), .loops = c->isa->project,
+                             .tile = TILE / c->samples * c->samples,
+                             .threads = c->threads, .setup = &c->setup, .map = c->map};
     background_make(c, &splat);
     rays_make(c, camera);
     if (balls_make(&c->balls, &view, frame, e))

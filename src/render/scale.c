@@ -23,6 +23,8 @@ double scale_value(const struct color_scale *scale, double part)
 
 float scale_place(const struct color_scale *scale, float value)
 {
+    if (!scale->log && scale->steps < 2 && scale->range[1] > scale->range[0])
+        return scale_place_linear(scale->range[0], scale->range[1], value);
     double part = scale_part(scale, (double)value);
     part = part >= 1 ? 1 : part > 0 ? part : 0;
     if (scale->steps < 2)

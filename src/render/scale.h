@@ -18,6 +18,13 @@ double scale_part(const struct color_scale *scale, double value);
 /* The value at that place. */
 double scale_value(const struct color_scale *scale, double part);
 
+/* Place in a linear map without steps. */
+static inline float scale_place_linear(double low, double high, float value)
+{
+    double part = ((double)value - low) / (high - low);
+    return (float)(part >= 1 ? 1 : part > 0 ? part : 0);
+}
+
 /* Place in the map, 0..1: of step k of n, k / (n - 1). What is not a number counts as low. */
 float scale_place(const struct color_scale *scale, float value);
 

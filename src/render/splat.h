@@ -67,6 +67,7 @@ struct splat {
 
 struct tile {
     int left, top, width, height; /* samples */
+    bool plain;                   /* nothing but the background is in it, and its colours are not made */
     _Alignas(64) float depth[TILE][TILE]; /* INFINITY: nothing; the struct is a multiple of a cache line */
     uint32_t ball[TILE][TILE];    /* UINT32_MAX: none */
     float far[BLOCKS][BLOCKS];    /* largest depth of a block */
@@ -75,6 +76,7 @@ struct tile {
 };
 
 /* One row for each instruction set: the same loops. */
+struct project_loops; /* render/project.h */
 struct surface_loops; /* render/surface.h */
 struct splat_isa {
     const char *name;
@@ -85,6 +87,7 @@ struct splat_isa {
     void (*shade)(const struct splat *splat, struct tile *tile);
     /* Blends the triangles over them and writes the tile's pixels. */
     void (*finish)(const struct splat *splat, struct tile *tile);
+    const struct project_loops *project;
     const struct surface_loops *surface;
 };
 extern const struct splat_isa splat_scalar, splat_avx2, splat_avx512;

@@ -7,4 +7,4 @@ static bool supported(void)
 }
 
 const struct splat_isa splat_avx2 = {"avx2", supported, tile_fill, tile_shade,
-                                     tile_finish, &surface_loops};
+                                     tile_finish, &project_loops, &surface_loops};

@@ -50,8 +50,8 @@ static bool ball_is_hidden(struct tile *tile, const struct ball *ball, float rad
     return true;
 }
 
-/* CHUNK samples of a row. */
-static inline void chunk_splat(const struct splat *s, const struct ball *ball, uint32_t number,
+/* `lanes` samples of a row. */
+static inline void chunk_splat(const struct splat *s, const struct ball *ball, uint32_t number, int lanes,
                                const float *restrict ray_x, float y, float *restrict depth,
                                uint32_t *restrict nearest)
 {
@@ -59,7 +59,7 @@ static inline void chunk_splat(const struct splat *s, const struct ball *ball, u
     const float oy = scale * y - ball->y, dy = s->lens * y, lens = s->lens;
     const float bx = ball->x, bz = ball->z, rest = oy * oy - r2, across = oy * dy, side = dy * dy + 1;
 #pragma omp simd
-    for (int l = 0; l < CHUNK; l++) {
+    for (int l = 0; l < lanes; l++) {
         float ox = scale * ray_x[l] - bx, dx = lens * ray_x[l];
         float along = ox * dx + across, square = dx * dx + side;
         float root = along * along - square * (ox * ox + rest);
@@ -69,6 +69,18 @@ static inline void chunk_splat(const struct splat *s, const struct ball *ball, u
         depth[l] = hit ? z : depth[l];
         nearest[l] = hit ? number : nearest[l];
     }
+}
+
+/* The samples of a box, in rows of `lanes` and more; some twice, which changes nothing. */
+static inline void box_splat(const struct splat *s, struct tile *tile, const struct ball *ball,
+                             uint32_t number, const int box[4], int lanes)
+{
+    for (int y = box[1]; y < box[3]; y++)
+        for (int x = box[0]; x < box[2]; x += lanes) {
+            int at = x < TILE - lanes ? x : TILE - lanes;
+            chunk_splat(s, ball, number, lanes, s->ray_x + tile->left + at, s->ray_y[tile->top + y],
+                        &tile->depth[y][at], &tile->ball[y][at]);
+        }
 }
 
 static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number)
@@ -82,12 +94,12 @@ static void ball_splat(const struct splat *s, struct tile *tile, uint32_t number
     box[3] = box[3] < tile->height ? box[3] : tile->height;
     if (ball_is_hidden(tile, ball, s->radius, box))
         return;
-    for (int y = box[1]; y < box[3]; y++)
-        for (int x = box[0] & ~(CHUNK - 1); x < box[2]; x += CHUNK)
-            chunk_splat(s, ball, number, s->ray_x + tile->left + x, s->ray_y[tile->top + y],
-                        &tile->depth[y][x], &tile->ball[y][x]);
+    if (box[2] - box[0] <= CHUNK / 2)
+        box_splat(s, tile, ball, number, box, CHUNK / 2);
+    else
+        box_splat(s, tile, ball, number, box, CHUNK);
     for (int row = box[1] / BLOCK; row * BLOCK < box[3]; row++)
-        for (int column = (box[0] & ~(CHUNK - 1)) / BLOCK; column * BLOCK < box[2]; column++)
+        for (int column = box[0] / BLOCK; column * BLOCK < box[2]; column++)
             tile->stale[row][column] = true;
 }
 
@@ -215,6 +227,19 @@ static inline bool blend_covers(const struct blend *b, double x, double y)
     return true;
 }
 
+/* Whether no sample of the tile is in the triangle: for each edge the corner farthest inwards is asked,
+ * by blend_covers' sum, which rounding leaves monotonic. */
+static bool blend_misses(const struct blend *b, const struct tile *tile)
+{
+    for (int k = 0; k < 3; k++) {
+        double x = tile->left + 0.5 + (b->edge[k][1] > 0 ? tile->width - 1 : 0);
+        double y = tile->top + 0.5 + (b->edge[k][2] > 0 ? tile->height - 1 : 0);
+        if (b->edge[k][0] + b->edge[k][2] * y + b->edge[k][1] * x < 0)
+            return true;
+    }
+    return false;
+}
+
 /* Samples x..end of a row, all of them in the triangle. */
 static inline void span_blend(const struct blend *b, struct tile *tile, int planes, int y, int x,
                               int end)
@@ -280,19 +305,35 @@ static inline void samples_add(const float *restrict color, int n, int count, fl
             sum[x] += color[n * x];
 }
 
-/* One row of pixels: the means of their n x n samples, rounded; colours are divided by alpha. */
-static inline void row_resolve(const struct splat *s, const struct tile *tile, int y, uint8_t *rgba)
+/* Sums of the samples of a row of pixels. */
+static inline void row_sum(const struct tile *tile, int y, int n, int planes, float sum[4][TILE])
 {
-    const int n = s->samples, width = tile->width / n;
-    const float scale = 1.0F / (float)(n * n);
-    float sum[4][TILE] = {{0}};
-    uint32_t out[TILE];
-    for (int k = 0; k < s->planes; k++)
+    for (int k = 0; k < planes; k++)
         for (int j = 0; j < n * n; j++)
-            samples_add(&tile->color[k][y * n + j / n][j % n], n, width, sum[k]);
+            samples_add(&tile->color[k][y * n + j / n][j % n], n, tile->width / n, sum[k]);
+}
+
+/* The same where only the background is. */
+static inline void row_sum_back(const struct splat *s, const struct tile *tile, int y, float sum[4][TILE])
+{
+    const int n = s->samples;
+    for (int k = 0; k < s->planes; k++) {
+        float all = 0;
+        for (int j = 0; j < n * n; j++)
+            all += back_of(s, k, tile->top + y * n + j / n);
+        for (int x = 0; x < TILE; x++)
+            sum[k][x] = all;
+    }
+}
+
+/* One row of pixels: the means of their n x n samples, rounded; colours are divided by alpha. */
+static inline void row_write(const struct splat *s, float sum[4][TILE], int width, uint8_t *rgba)
+{
+    const float count = (float)(s->samples * s->samples), scale = 1.0F / count;
+    uint32_t out[TILE];
     for (int x = 0; s->planes == 3 && x < TILE; x++)
-        sum[3][x] = (float)(n * n);
-    for (int x = 0; x < TILE; x++) {
+        sum[3][x] = count;
+    for (int x = 0; x < width; x++) {
         float alpha = sum[3][x] * scale, part = 255 * scale / (alpha > 1e-4F ? alpha : 1);
         uint32_t red = (uint32_t)(int)(sum[0][x] * part + 0.5F);
         uint32_t green = (uint32_t)(int)(sum[1][x] * part + 0.5F);
@@ -306,9 +347,15 @@ static inline void row_resolve(const struct splat *s, const struct tile *tile, i
 static void tile_resolve(const struct splat *s, const struct tile *tile)
 {
     const int n = s->samples;
-    for (int y = 0; y < tile->height / n; y++)
-        row_resolve(s, tile, y, s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch +
-                                               (size_t)(tile->left / n)));
+    for (int y = 0; y < tile->height / n; y++) {
+        float sum[4][TILE] = {{0}};
+        if (tile->plain)
+            row_sum_back(s, tile, y, sum);
+        else
+            row_sum(tile, y, n, s->planes, sum);
+        row_write(s, sum, tile->width / n,
+                  s->rgba + 4 * ((size_t)(tile->top / n + y) * s->pitch + (size_t)(tile->left / n)));
+    }
 }
 
 /* Whether all samples of the tile show something nearer than any sphere whose centre is that far. */
@@ -328,6 +375,7 @@ enum { FULL_EVERY = 32, AHEAD = 12 };
 static void tile_fill(const struct splat *s, struct tile *tile, const struct ball_list *list)
 {
     tile_clear(tile);
+    tile->plain = list->count == 0;
     for (size_t i = 0; i < list->count; i++) {
         if (i % FULL_EVERY == 0 && tile_is_full(tile, list->entry[i].z - list->step, s->radius))
             return;
@@ -337,18 +385,31 @@ static void tile_fill(const struct splat *s, struct tile *tile, const struct bal
     }
 }
 
-static void tile_shade(const struct splat *s, struct tile *tile)
+static void tile_color(const struct splat *s, struct tile *tile)
 {
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x += CHUNK)
             chunk_color(s, tile, x, y);
 }
 
+static void tile_shade(const struct splat *s, struct tile *tile)
+{
+    if (!tile->plain)
+        tile_color(s, tile);
+}
+
 static void tile_finish(const struct splat *s, struct tile *tile)
 {
-    for (size_t i = 0; i < s->blend_count; i++)
+    for (size_t i = 0; i < s->blend_count; i++) {
+        if (blend_misses(&s->blends[i], tile))
+            continue;
+        if (tile->plain)
+            tile_color(s, tile);
+        tile->plain = false;
         tile_blend(&s->blends[i], tile, s->planes);
+    }
     tile_resolve(s, tile);
 }
 
+#include "render/project_loops.h"
 #include "render/surface_loops.h"

@@ -189,6 +189,7 @@ static inline void surface_sample(const struct splat *s, const struct surface *f
 
 static void surface_shade(const struct splat *s, const struct surface *f, struct tile *tile)
 {
+    tile->plain = false;
     for (int y = 0; y < tile->height; y++) {
         float behind[4];
         for (int k = 0; k < 4; k++)
