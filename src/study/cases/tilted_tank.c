@@ -1,5 +1,5 @@
-/* Case "hydrostatic-tilted": pressure in a full box with gravity of any direction. Means and norms in time are
- * over the last 25 % of a run. */
+/* Case "hydrostatic-tilted": pressure in a full box with gravity of any direction. Means and norms in
+ * time are over the last 25 % of a run. */
 #include "study/case.h"
 #include "study/case_scene.h"
 #include "study/fit.h"

@@ -18,21 +18,19 @@ static double interval(const struct scene *scene)
     return turnover(scene) / 50;
 }
 
-static const char *vortices_lack(const struct scene *scene, const char *flow)
+static bool starts(const struct scene *scene, const char *flow)
 {
-    if (!case_has_flow(scene, flow))
-        return "its flow in the first body";
-    return scene->bodies[0].flow_speed == 0 ? "a flow_speed in the first body" : NULL;
+    return case_has_flow(scene, flow) && scene->bodies[0].flow_speed != 0;
 }
 
 static const char *taylor_green_lacks(const struct scene *scene)
 {
-    return vortices_lack(scene, "taylor-green");
+    return starts(scene, "taylor-green") ? NULL : "the flow \"taylor-green\" in the first body";
 }
 
 static const char *beltrami_lacks(const struct scene *scene)
 {
-    return vortices_lack(scene, "beltrami");
+    return starts(scene, "beltrami") ? NULL : "the flow \"beltrami\" in the first body";
 }
 
 /* Of velocity, 1/s. */
