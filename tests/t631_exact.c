@@ -339,7 +339,10 @@ static void oscillations(void **state)
         times[k] = 0.05 * k;
         values[k] = exp(-0.02 * times[k]) * sin(2 * M_PI * times[k] / 4.5);
     }
+    values[0] = -1e-3; /* a change before 1 s, which does not count */
     assert_int_equal(fit_sign_changes(times, values, ROWS, 1, changes, 10), 6);
+    assert_int_equal(fit_sign_changes(times, values, ROWS, 0, changes, 10), 7);
+    fit_sign_changes(times, values, ROWS, 1, changes, 10);
     assert_int_equal(fit_sign_changes(times, values, ROWS, 1, changes, 4), 4);
     near(changes[0], 2.25, 1e-3);
     near(changes[3], 9, 1e-3);
