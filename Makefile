@@ -1,5 +1,5 @@
 # sph-render: options first, then flags, then targets.
-# Each option is detected and can be set: make EGL=0 OSMESA=0 LIBAV=0 CAIRO=0 CUDA=0 MPI=0
+# Each option is detected and can be set: make EGL=0 OSMESA=0 LIBAV=0 CAIRO=0 MUPARSER=0 CUDA=0 MPI=0
 # V=1 shows whole commands; WERROR=-Werror makes warnings errors.
 
 ifeq ($(origin CC),default)
@@ -18,12 +18,13 @@ EGL      ?= $(call have,egl gl)
 OSMESA   ?= $(call have,osmesa)
 LIBAV    ?= $(call have,libavformat libavcodec libswscale libavutil)
 CAIRO    ?= $(call have,cairo)
+MUPARSER ?= $(call have,muparser)
 NVCC     ?= $(firstword $(wildcard /usr/local/cuda/bin/nvcc) $(shell command -v nvcc 2>/dev/null))
 CUDA     ?= $(if $(NVCC),1,0)
 MPICC    ?= $(shell command -v mpicc 2>/dev/null)
 MPI      ?= $(if $(MPICC),1,0)
 
-OPTIONS       := EGL OSMESA LIBAV CAIRO
+OPTIONS       := EGL OSMESA LIBAV CAIRO MUPARSER
 EGL_doc       := draws on a GPU or by Mesa software without a screen
 EGL_needs     := libegl-dev libgl-dev
 OSMESA_doc    := draws by Mesa software into memory
@@ -32,10 +33,12 @@ LIBAV_doc     := writes films: mp4, webm, mkv, gif, apng, y4m
 LIBAV_needs   := libavformat-dev libavcodec-dev libswscale-dev libavutil-dev
 CAIRO_doc     := writes colour bar, title and time over frames
 CAIRO_needs   := libcairo2-dev
+MUPARSER_doc   := understands formulas in studies
+MUPARSER_needs := libmuparser-dev
 
 VERSION  := 0.1.0
-PACKAGES := libpng $(if $(filter 1,$(CAIRO)),cairo) $(if $(filter 1,$(LIBAV)),libavformat libavcodec libswscale libavutil)
-DEFINES  := -DSPH_VERSION='"$(VERSION)"' $(foreach o,EGL OSMESA LIBAV CAIRO,-DHAVE_$(o)=$($(o)))
+PACKAGES := libpng $(if $(filter 1,$(CAIRO)),cairo) $(if $(filter 1,$(MUPARSER)),muparser) $(if $(filter 1,$(LIBAV)),libavformat libavcodec libswscale libavutil)
+DEFINES  := -DSPH_VERSION='"$(VERSION)"' $(foreach o,$(OPTIONS),-DHAVE_$(o)=$($(o)))
 OPENMP   := -fopenmp
 # Same bits on every target: no contraction of a*b+c, no reassociation, IEEE square root and division.
 SAFE     := -ffp-contract=off -fno-math-errno -fno-trapping-math

@@ -23,4 +23,7 @@ void log_progress_end(void);
 /* Monotonic wall clock, seconds. */
 double clock_seconds(void);
 
+/* What all processors have spent on this process, seconds. */
+double clock_cpu_seconds(void);
+
 #endif

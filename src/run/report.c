@@ -1,6 +1,7 @@
 /* Writes the report of a run. */
 #include "run/report.h"
 
+#include "base/log.h"
 #include "base/memory.h"
 #include "base/output.h"
 #include "base/quote.h"
@@ -43,9 +44,9 @@ static void write_memory(void *context, const char *label, size_t bytes)
 
 static void write_phases(FILE *f, const struct report *r, const struct backend_counts *counts)
 {
-    fprintf(f, "  \"seconds\": {\"wall\": %.6f, \"solve\": %.6f, \"wait\": %.6f, \"draw\": %.6f, "
-               "\"encode\": %.6f",
-            r->wall, r->solve, r->film.wait, r->film.draw, r->film.encode);
+    fprintf(f, "  \"seconds\": {\"wall\": %.6f, \"cpu\": %.6f, \"solve\": %.6f, \"wait\": %.6f, "
+               "\"draw\": %.6f, \"encode\": %.6f",
+            r->wall, clock_cpu_seconds(), r->solve, r->film.wait, r->film.draw, r->film.encode);
     if (r->row_count)
         fprintf(f, ", \"measure\": %.6f", r->measure);
     for (int p = 0; p < PASS_COUNT; p++)

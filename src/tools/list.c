@@ -2,12 +2,27 @@
 #include "base/log.h"
 #include "base/suggest.h"
 #include "run/run.h"
+#include "study/products.h"
 #include "tools/tools.h"
 
 #include <argp.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+
+/* Tables that no scene chooses from. */
+static const struct variant_table *const more[] = {&tool_table, &case_table, &norm_table,
+                                                   &product_table};
+enum { MORE = sizeof more / sizeof *more };
+
+/* The table of that place among all, or NULL. */
+static const struct variant_table *table_at(size_t place)
+{
+    if (place < run_vocabulary.count)
+        return run_vocabulary.tables[place];
+    place -= run_vocabulary.count;
+    return place < MORE ? more[place] : NULL;
+}
 
 struct list {
     const char *what; /* NULL: everything */
@@ -47,12 +62,11 @@ static void print_table(const struct variant_table *table)
 
 static void print_all(void)
 {
-    for (size_t t = 0; t < run_vocabulary.count; t++) {
-        print_table(run_vocabulary.tables[t]);
+    for (size_t t = 0; table_at(t); t++) {
+        print_table(table_at(t));
         putchar('\n');
     }
-    print_table(&tool_table);
-    printf("\nkeys: what a scene file may say; NAME[] is an array, --set counts it from 0\n");
+    printf("keys: what a scene file may say; NAME[] is an array, --set counts it from 0\n");
     scene_write_keys(&run_vocabulary, stdout);
 }
 
@@ -61,9 +75,8 @@ static int unknown_table(const char *what)
     struct suggest near;
     suggest_start(&near, what);
     suggest_offer(&near, "keys");
-    suggest_offer(&near, tool_table.name);
-    for (size_t t = 0; t < run_vocabulary.count; t++)
-        suggest_offer(&near, run_vocabulary.tables[t]->name);
+    for (size_t t = 0; table_at(t); t++)
+        suggest_offer(&near, table_at(t)->name);
     const char *best = suggest_best(&near);
     log_error("list: there is no table \"%s\"%s%s; `sph-render list' shows all", what,
               best ? "; did you mean " : "", best ? best : "");
@@ -76,16 +89,11 @@ static int print_one(const char *what)
         scene_write_keys(&run_vocabulary, stdout);
         return STATUS_OK;
     }
-    if (strcmp(what, tool_table.name) == 0) {
-        print_table(&tool_table);
-        return STATUS_OK;
-    }
-    for (size_t t = 0; t < run_vocabulary.count; t++) {
-        if (strcmp(run_vocabulary.tables[t]->name, what) == 0) {
-            print_table(run_vocabulary.tables[t]);
+    for (size_t t = 0; table_at(t); t++)
+        if (strcmp(table_at(t)->name, what) == 0) {
+            print_table(table_at(t));
             return STATUS_OK;
         }
-    }
     return unknown_table(what);
 }
 

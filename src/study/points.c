@@ -1,0 +1,229 @@
+/* Makes the points of a study: the scene of each run, with what it measures, checked. */
+#include "base/memory.h"
+#include "particles/fill.h"
+#include "run/run.h"
+#include "study/set.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Besides what errors need: conservation, of every run. */
+static const char kept[] = "{\"quantity\": \"energy\", \"name\": \"kept-energy\"}, "
+                           "{\"quantity\": \"momentum\", \"name\": \"kept-momentum\"}";
+
+/* A small picture of the last state. */
+static const char picture[] = "[480, 270]";
+
+/* Takes the run's own settings, which no scene has, out of a set. */
+static enum status take_run_settings(struct study_point *point, const struct study_set *set,
+                                     struct study_set *rest, struct error *e)
+{
+    for (size_t k = 0; k < set->count; k++) {
+        const char *item = set->items[k], *value = strchr(item, '=') + 1;
+        struct study_set one = {&set->items[k], &set->labels[k], 1};
+        if (strncmp(item, "threads=", 8) == 0) {
+            char *end;
+            long threads = strtol(value, &end, 10);
+            if (*end || threads < 0 || threads > 4096)
+                return error_set(e, STATUS_USAGE, "%s is %s; give a whole number from 0 (all "
+                                 "processors) to 4096", set->labels[k], value);
+            point->threads = (int)threads;
+        } else if (strncmp(item, "isa=", 4) == 0) {
+            snprintf(point->isa, sizeof point->isa, "%.*s", (int)strcspn(value + 1, "\""), value + 1);
+        } else if (set_append(rest, &one, e)) {
+            return e->status;
+        }
+    }
+    return STATUS_OK;
+}
+
+static enum status load(struct study_point *point, const struct study *study,
+                        const struct study_set *set, struct error *e)
+{
+    struct scene_overrides overrides = {(const char *const *)set->items,
+                                        (const char *const *)set->labels, set->count};
+    scene_free(point->scene);
+    return scene_load(&point->scene, study->scene, &overrides, &run_vocabulary, e);
+}
+
+/* "[...]" of all that is measured; malloc. */
+static char *measure_text(const struct study *study, const struct scene *scene)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fprintf(out, "[%s", kept);
+    if (study->known) {
+        fputs(", ", out);
+        study->known->measure(scene, out);
+    }
+    if (study->measure && study->measure[strspn(study->measure, " \t\r\n")])
+        fprintf(out, ", %s", study->measure);
+    fputs("]", out);
+    return fclose(out) == 0 ? text : NULL;
+}
+
+/* What a run measures and draws, said as settings of its scene. */
+static enum status set_products(const struct study *study, const struct scene *scene,
+                                struct study_set *set, struct error *e)
+{
+    static const char label[] = "what the study measures";
+    char number[32];
+    double interval = !isnan(study->interval) ? study->interval
+                      : study->known          ? study->known->interval : 0;
+    char *text = measure_text(study, scene);
+    if (!text)
+        return error_set(e, STATUS_RUN, "memory is short");
+    enum status status = set_say(set, "measure", text, label, e);
+    free(text);
+    snprintf(number, sizeof number, "%.17g", interval);
+    if (!status && interval > 0)
+        status = set_say(set, "time.measure", number, label, e);
+    snprintf(number, sizeof number, "%.17g", scene->time.end);
+    if (!status)
+        status = set_say(set, "movie.start", number, label, e);
+    return status ? status : set_say(set, "movie.size", picture, label, e);
+}
+
+/* FNV-1a. */
+static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
+{
+    for (const unsigned char *b = bytes, *end = b + size; b < end; b++)
+        hash = (hash ^ *b) * 0x100000001b3u;
+    return hash;
+}
+
+/* Of this program's file, so that another build does not take over its results. */
+static uint64_t program_hash(void)
+{
+    static uint64_t hash;
+    unsigned char block[1 << 16];
+    size_t size;
+    FILE *file = hash ? NULL : fopen("/proc/self/exe", "rb");
+    if (!file)
+        return hash;
+    hash = 0xcbf29ce484222325u;
+    while ((size = fread(block, 1, sizeof block, file)) > 0)
+        hash = hash_bytes(hash, block, size);
+    fclose(file);
+    return hash;
+}
+
+/* Runs of the same scene in the same way share their folder, and so their results. */
+static enum status name_folder(struct study_point *point, const char *method, struct error *e)
+{
+    char plain[64];
+    uint64_t hash = hash_bytes(program_hash() ^ scene_hash(point->scene, &run_vocabulary),
+                               &point->threads, sizeof point->threads);
+    hash = hash_bytes(hash, point->isa, strlen(point->isa));
+    snprintf(plain, sizeof plain, "%.60s", method);
+    for (char *p = plain; *p; p++)
+        if (!isalnum((unsigned char)*p) && *p != '.')
+            *p = '-';
+    if (asprintf(&point->folder, "runs/%s-%016llx", plain, (unsigned long long)hash) < 0) {
+        point->folder = NULL;
+        return error_set(e, STATUS_RUN, "memory is short");
+    }
+    return STATUS_OK;
+}
+
+/* The scene with the settings of study, method and rung, in that order. */
+static enum status apply(struct study_point *point, const struct study *study,
+                         const struct study_set *rung, const struct study_method *method,
+                         struct study_set *set, struct error *e)
+{
+    uint64_t plain = 0;
+    struct error ignored; /* a scene may need its rung */
+    enum status status = take_run_settings(point, &study->set, set, e);
+    if (!status && method)
+        status = take_run_settings(point, &method->set, set, e);
+    if (!status && method && load(point, study, set, &ignored) == STATUS_OK)
+        plain = scene_hash(point->scene, &run_vocabulary);
+    if (!status)
+        status = take_run_settings(point, rung, set, e);
+    if (!status)
+        status = load(point, study, set, e);
+    if (!status)
+        point->shipped = method && scene_hash(point->scene, &run_vocabulary) == plain;
+    return status;
+}
+
+static enum status point_create(struct study_point *point, const struct study *study,
+                                const struct study_set *rung, const struct study_method *method,
+                                struct error *e)
+{
+    struct study_set set = {0};
+    struct run_options options = {.backend = "auto", .renderer = "auto", .isa = "auto"};
+    strcpy(point->isa, "auto");
+    point->energy_drift = point->momentum_drift = point->order = (double)NAN;
+    enum status status = apply(point, study, rung, method, &set, e);
+    if (!status)
+        status = set_products(study, point->scene, &set, e);
+    if (!status)
+        status = load(point, study, &set, e);
+    if (!status)
+        status = run_check(point->scene, &options, e);
+    set_free(&set);
+    if (status)
+        return error_context(e, "%s, %s", study->path, method ? method->name : "the reference");
+    point->guess = fill_bodies_estimate(point->scene);
+    return name_folder(point, method ? method->name : "reference", e);
+}
+
+enum status study_points_create(struct study_points *points, const struct study *study,
+                                struct error *e)
+{
+    size_t count = study->reference.count > 0;
+    for (size_t k = 0; k < study->ladder_count; k++)
+        count += study->ladders[k].count * study->method_count;
+    *points = (struct study_points){0};
+    points->items = memory_create("study points", count, sizeof *points->items, e);
+    if (!points->items)
+        return e->status;
+    if (study->reference.count > 0 &&
+        point_create(&points->items[points->count++], study, &study->reference, NULL, e))
+        return e->status;
+    for (size_t l = 0; l < study->ladder_count; l++)
+        for (size_t rung = 0; rung < study->ladders[l].count; rung++)
+            for (size_t m = 0; m < study->method_count; m++) {
+                struct study_point *point = &points->items[points->count++];
+                *point = (struct study_point){.ladder = &study->ladders[l], .rung = rung,
+                                              .method = &study->methods[m]};
+                if (point_create(point, study, &point->ladder->rungs[rung], point->method, e))
+                    return e->status;
+            }
+    return STATUS_OK;
+}
+
+void study_points_free(struct study_points *points)
+{
+    for (size_t k = 0; k < points->count; k++) {
+        scene_free(points->items[k].scene);
+        free(points->items[k].folder);
+    }
+    memory_free(points->items);
+    *points = (struct study_points){0};
+}
+
+static double least(const double *values, int count)
+{
+    double value = (double)NAN;
+    for (int k = 0; k < count; k++)
+        value = fmin(value, values[k]);
+    return value;
+}
+
+double study_wall(const struct study_point *point)
+{
+    return least(point->wall, point->repeats);
+}
+
+double study_cpu(const struct study_point *point)
+{
+    return least(point->cpu, point->repeats);
+}

@@ -1,0 +1,23 @@
+/* Runs this program again as a child, with a limit of time, and kills it with us. */
+#ifndef STUDY_PROCESS_H
+#define STUDY_PROCESS_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+
+struct process_end {
+    int code;       /* exit code; 128 + N when signal N ended it */
+    bool late;      /* it was stopped at its limit */
+    double seconds; /* it ran */
+};
+
+/* Runs this program with the arguments (argv[0] is any, the last NULL), its messages into the file
+ * `log`. STATUS_RUN when it cannot be started, STATUS_INTERRUPTED when we were told to stop. */
+enum status process_run(const char *const *argv, const char *log, double limit,
+                        struct process_end *end, struct error *e);
+
+/* From now on SIGINT, SIGTERM and SIGHUP stop the present child, and process_run with it. */
+void process_catch_signals(void);
+
+#endif

@@ -1,0 +1,112 @@
+/* Product "results.json": all that the study knows, for programs. */
+#include "base/output.h"
+#include "base/quote.h"
+#include "run/report.h"
+#include "study/products.h"
+
+#include <math.h>
+
+static void write_text(const char *key, const char *text, FILE *out)
+{
+    char quoted[2048];
+    json_quote(text, quoted, sizeof quoted);
+    fprintf(out, "\"%s\": %s, ", key, quoted);
+}
+
+static void write_number(const char *key, double number, FILE *out)
+{
+    if (isfinite(number))
+        fprintf(out, "\"%s\": %.9g, ", key, number);
+    else
+        fprintf(out, "\"%s\": null, ", key);
+}
+
+static void write_times(const char *key, const double *values, int count, FILE *out)
+{
+    fprintf(out, "\"%s\": [", key);
+    for (int k = 0; k < count; k++)
+        fprintf(out, "%s%.6f", k ? ", " : "", values[k]);
+    fputs("], ", out);
+}
+
+static void write_errors(const struct study_errors *errors, FILE *out)
+{
+    fputs("\"errors\": [", out);
+    for (size_t k = 0; k < errors->count; k++) {
+        const struct study_error *error = &errors->items[k];
+        fputs(k ? ", {" : "{", out);
+        write_text("name", error->name, out);
+        write_text("unit", error->unit, out);
+        write_number("asked", error->asked, out);
+        if (isfinite(error->value))
+            fprintf(out, "\"value\": %.9g}", error->value);
+        else
+            fputs("\"value\": null}", out);
+    }
+    fputs("]", out);
+}
+
+static void write_point(const struct study_point *p, FILE *out)
+{
+    fputs("{", out);
+    write_text("ladder", p->ladder ? p->ladder->name : "reference", out);
+    write_text("method", p->method ? p->method->name : "reference", out);
+    write_text("key", p->ladder ? p->ladder->key : "", out);
+    write_text("value", p->ladder ? p->ladder->labels[p->rung] : "", out);
+    write_text("outcome", outcome_names[p->outcome], out);
+    write_text("cause", p->cause, out);
+    write_text("folder", p->folder, out);
+    write_text("state", p->hash, out);
+    write_text("isa", p->isa, out);
+    fprintf(out, "\"threads\": %d, ", p->threads);
+    write_number("spacing", p->scene->particles.spacing, out);
+    if (p->repeats > 0) {
+        write_number("particles", p->particles, out);
+        write_times("wall", p->wall, p->repeats, out);
+        write_times("processor", p->cpu, p->repeats, out);
+        write_number("pairs", p->pairs, out);
+        write_number("steps", p->steps, out);
+        write_number("rejected", p->rejected, out);
+        write_number("mean_step", p->dt, out);
+        write_number("iterations_a_step", p->iterations, out);
+        write_number("bytes", p->bytes, out);
+        write_number("energy_drift", p->energy_drift, out);
+        write_number("momentum_drift", p->momentum_drift, out);
+    }
+    write_number("order", p->order, out);
+    fprintf(out, "\"front\": %s, ", p->front ? "true" : "false");
+    write_errors(&p->errors, out);
+    fputs("}", out);
+}
+
+static enum status write_json(const struct study_results *results, struct error *e)
+{
+    char path[4096];
+    size_t plot = 0;
+    struct output_file file;
+    snprintf(path, sizeof path, "%s/results.json", results->directory);
+    if (output_open(&file, path, e))
+        return e->status;
+    FILE *out = file.stream;
+    study_plots(results, &plot, 1);
+    study_analyse(results->points, plot); /* order and front are of the first figure */
+    fputs("{", out);
+    write_text("title", results->study->title, out);
+    write_text("study", results->study->path, out);
+    write_text("program", "sph-render " SPH_VERSION, out);
+    write_text("processor", report_processor(), out);
+    write_text("command", results->about->command, out);
+    write_text("date", results->about->date, out);
+    write_number("speed_before", results->about->speed[0], out);
+    write_number("speed_after", results->about->speed[1], out);
+    fputs("\"points\": [", out);
+    for (size_t k = 0; k < results->points->count; k++) {
+        fputs(k ? ",\n  " : "\n  ", out);
+        write_point(&results->points->items[k], out);
+    }
+    fputs("]}\n", out);
+    return output_close(&file, true, e);
+}
+
+const struct product_row product_json = {
+    {"results.json", "the same and each repeat, for programs", NULL, 0, NULL}, write_json};

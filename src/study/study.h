@@ -1,0 +1,143 @@
+/* A study: one scene over methods and ladders of settings, and what each run errs and takes.
+ *
+ * read (study_read.c) -> points, each with its scene (points.c) -> runs by child processes, in turns
+ * (schedule.c) -> errors (judge.c) -> orders, fronts (analyse.c) -> tables and figures (products.c) */
+#ifndef STUDY_STUDY_H
+#define STUDY_STUDY_H
+
+#include "study/case.h"
+#include "study/norm.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { STUDY_REPEATS_MAX = 64, STUDY_NAME_SIZE = 96 };
+
+/* Settings of scene keys, as scene_overrides has them; labels say where the study has them. */
+struct study_set {
+    char **items, **labels; /* "time.cfl=0.5"; "FILE:LINE:COLUMN: time.cfl" */
+    size_t count;
+};
+
+/* A curve: what is compared with what. In sets "threads" and "isa" are those of the run. */
+struct study_method {
+    char name[STUDY_NAME_SIZE];
+    struct study_set set;
+};
+
+/* A family of points along each curve; never mixed with another in a figure. */
+struct study_ladder {
+    char name[STUDY_NAME_SIZE];  /* "resolution" */
+    char key[KEY_TEXT_SIZE];     /* the first that is set: what the rungs are called by */
+    struct study_set *rungs;     /* coarse to fine */
+    char (*labels)[32];          /* of the rungs: the key's values */
+    size_t count;
+};
+
+enum reference_kind {
+    REFERENCE_VALUE,   /* a number */
+    REFERENCE_FIRST,   /* the column's own first value: drift */
+    REFERENCE_FORMULA, /* of t, s */
+    REFERENCE_DATA,    /* a column of a csv file, its first column the time, s */
+    REFERENCE_RUN      /* the same column of a finer run that all methods share */
+};
+
+/* An error that a study defines itself: a norm of a measured column against a reference. */
+struct study_asked {
+    char name[STUDY_NAME_SIZE];
+    char column[KEY_TEXT_SIZE];
+    const struct norm_row *norm;
+    enum reference_kind kind;
+    double value;
+    char *formula;                /* or NULL */
+    char *path;                   /* of the data, or NULL */
+    char reference_column[KEY_TEXT_SIZE], low[KEY_TEXT_SIZE], high[KEY_TEXT_SIZE]; /* of the data; "": none */
+    double asked;                 /* bound; NAN: none */
+};
+
+struct study {
+    char *path;                   /* of the file */
+    char title[KEY_TEXT_SIZE];
+    char *scene;                  /* path of the scene's file */
+    const struct case_row *known; /* "case", or NULL */
+    char *measure;                /* of own errors: elements of the scene's list, JSON, or NULL */
+    double interval;              /* s between rows; NAN: the case's, or the scene's frames */
+    struct study_asked *asked;
+    size_t asked_count;
+    char (*plots)[STUDY_NAME_SIZE]; /* errors that have a figure; none: the first */
+    size_t plot_count;
+    double floor;                 /* of errors, by float32 arithmetic; NAN: not known */
+    struct study_set set;         /* of all runs */
+    struct study_set reference;   /* of the run that REFERENCE_RUN is about; none: no such run */
+    struct study_method *methods;
+    size_t method_count;
+    struct study_ladder *ladders;
+    size_t ladder_count;
+    int repeats;                  /* runs of each point */
+    double limit;                 /* s, of one run; INFINITY */
+};
+
+/* Reads and checks a study file; STATUS_USAGE with file, line, column and what to do, STATUS_RUN.
+ * Free with study_free, also after failure. */
+enum status study_read(struct study *study, const char *path, struct error *e);
+void study_free(struct study *study);
+
+enum outcome {
+    OUTCOME_LEFT_OUT, /* no time for it */
+    OUTCOME_DONE,
+    OUTCOME_STOPPED,  /* the program ended the run, and says why */
+    OUTCOME_LATE,     /* longer than the limit */
+    OUTCOME_CRASHED
+};
+
+/* What one run was and did. */
+struct study_point {
+    const struct study_ladder *ladder; /* NULL: the reference run */
+    const struct study_method *method;
+    size_t rung;
+    char *folder;                 /* of its files, below the study's: "runs/isph-0.05-1f3a..." */
+    struct scene *scene;          /* as it runs */
+    int threads;                  /* 0: all processors */
+    char isa[16];                 /* row of "isas", or "auto" */
+    double guess;                 /* particles, estimated */
+    bool shipped;                 /* the rung changes nothing of the scene */
+
+    enum outcome outcome;
+    char cause[400];              /* of what is not done */
+    int repeats;                  /* made */
+    double wall[STUDY_REPEATS_MAX], cpu[STUDY_REPEATS_MAX]; /* s, of solving; of the process */
+    double particles, steps, rejected, dt, pairs, iterations, bytes; /* dt: mean, s; iterations: a step */
+    double energy_drift, momentum_drift; /* parts; NAN: not measured, or not kept by nature */
+    char hash[17];                /* of the last state */
+    struct study_errors errors;
+
+    double order;                 /* observed, of the plotted error, from the rung before; NAN */
+    bool front;                   /* no other point of its ladder has less error in less time */
+};
+
+struct study_points {
+    struct study_point *items;    /* the reference run first if there is one, then by ladder, rung, method */
+    size_t count;
+};
+
+/* Makes the points and loads their scenes; STATUS_USAGE when one cannot be run. */
+enum status study_points_create(struct study_points *points, const struct study *study,
+                                struct error *e);
+void study_points_free(struct study_points *points);
+
+/* The least of the repeats' times, s; NAN without. */
+double study_wall(const struct study_point *point);
+double study_cpu(const struct study_point *point);
+
+/* Reads the files of a run's first repeat, and fills what it did and its errors. `reference`: the
+ * columns of the run that is the reference, or NULL. STATUS_RUN when they cannot be read. */
+enum status study_judge(const struct study *study, struct study_point *point,
+                        const char *directory, const struct columns *reference, struct error *e);
+
+/* Fills orders and fronts of the error `plot`, place in errors.items. */
+void study_analyse(struct study_points *points, size_t plot);
+
+/* Place of the error of that name in what the points have, or -1. */
+long study_error_place(const struct study_points *points, const char *name);
+
+#endif

@@ -1,0 +1,260 @@
+/* sph-render study: error against run time over methods and ladders of settings. */
+#include "base/log.h"
+#include "base/memory.h"
+#include "base/output.h"
+#include "study/products.h"
+#include "study/record.h"
+#include "study/schedule.h"
+#include "tools/tools.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <libgen.h>
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+
+enum { STUDIES_MAX = 64 };
+
+struct request {
+    const char *studies[STUDIES_MAX], *directory;
+    size_t count;
+    double budget; /* s */
+    int repeats;   /* 0: the study's */
+    char *command;
+};
+
+/* A study and its runs. */
+struct job {
+    struct study study;
+    struct study_points points;
+    struct study_about about;
+    struct output_claim claim;
+    char directory[PATH_MAX];
+};
+
+/* "90", "90s", "20m", "1.5h" to seconds; NAN otherwise. */
+static double duration(const char *text)
+{
+    char *end;
+    double value = strtod(text, &end);
+    double unit = strcmp(end, "h") == 0 ? 3600 : strcmp(end, "m") == 0 ? 60
+                  : strcmp(end, "s") == 0 || !*end ? 1 : (double)NAN;
+    return end != text && value > 0 ? value * unit : (double)NAN;
+}
+
+static error_t parse_option(int key, char *value, struct argp_state *state)
+{
+    struct request *r = state->input;
+    char *end;
+    switch (key) {
+    case 'o': r->directory = value; return 0;
+    case 'b':
+        if (isnan(r->budget = duration(value)))
+            argp_error(state, "--budget %s: give a time such as 20m, 90s or 1.5h", value);
+        return 0;
+    case 'r':
+        r->repeats = (int)strtol(value, &end, 10);
+        if (*end || r->repeats < 1 || r->repeats > STUDY_REPEATS_MAX)
+            argp_error(state, "--repeats %s: give a whole number from 1 to %d", value,
+                       STUDY_REPEATS_MAX);
+        return 0;
+    case 'q': log_set_level(LOG_ERROR); return 0;
+    case ARGP_KEY_ARG:
+        if (r->count == STUDIES_MAX)
+            argp_error(state, "more than %d studies", STUDIES_MAX);
+        r->studies[r->count++] = value;
+        return 0;
+    case ARGP_KEY_END:
+        if (!r->count || !r->directory)
+            argp_error(state, "give a study and a directory, for example: sph-render study "
+                              "studies/taylor-green.json -o out/taylor-green");
+        return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_option options[] = {
+    {"output", 'o', "DIR", 0, "Directory of the results; what it has already is not run again", 0},
+    {"budget", 'b', "TIME", 0, "Leave out what does not fit in this time: 20m, 90s, 1.5h", 0},
+    {"repeats", 'r', "N", 0, "Runs of each point (default: the study's, 3)", 0},
+    {"quiet", 'q', NULL, 0, "No progress, no messages but errors", 0},
+    {0}};
+
+/* Multiply-adds a second of a fixed chain of them: how fast the machine is now. */
+static double machine_speed(void)
+{
+    enum { ROUNDS = 20000000 };
+    volatile float seed = 1.0f;
+    float x = seed, start_value = x;
+    double start = clock_seconds();
+    for (int k = 0; k < ROUNDS; k++)
+        x = x * 0.999999f + 1e-6f;
+    seed = x + start_value;
+    return ROUNDS / (clock_seconds() - start);
+}
+
+/* Fills errors of every point whose first run is done; the reference run first. */
+static enum status judge(const struct study *study, struct study_points *points,
+                         const char *directory, struct error *e)
+{
+    struct columns reference = {0};
+    bool has = false;
+    enum status status = STATUS_OK;
+    if (points->count && !points->items[0].ladder &&
+        points->items[0].outcome == OUTCOME_DONE) {
+        char *path = record_path(&points->items[0], directory, 0, "csv");
+        status = path ? columns_read(&reference, path, e)
+                      : error_set(e, STATUS_RUN, "memory is short");
+        has = !status;
+        free(path);
+    }
+    for (size_t k = 0; k < points->count && !status; k++)
+        if (points->items[k].repeats > 0)
+            status = study_judge(study, &points->items[k], directory, has ? &reference : NULL, e);
+    columns_free(&reference);
+    return status;
+}
+
+static enum status check_plots(const struct study *study, const struct study_points *points,
+                               struct error *e)
+{
+    bool any = false;
+    for (size_t k = 0; k < points->count; k++)
+        any = any || points->items[k].errors.count;
+    for (size_t k = 0; k < study->plot_count && any; k++)
+        if (study_error_place(points, study->plots[k]) < 0)
+            return error_set(e, STATUS_USAGE, "%s: \"plot\" names \"%s\", but there is no such error; "
+                             "results.csv has their names", study->path, study->plots[k]);
+    return STATUS_OK;
+}
+
+static enum status work(struct job *job, double budget, struct error *e)
+{
+    struct study_results results = {&job->study, &job->points, &job->about, job->directory};
+    time_t now = time(NULL);
+    struct tm parts;
+    strftime(job->about.date, sizeof job->about.date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
+    job->about.speed[0] = machine_speed();
+    if (study_run(&job->study, &job->points, job->directory, budget, e) ||
+        judge(&job->study, &job->points, job->directory, e))
+        return e->status;
+    job->about.speed[1] = machine_speed();
+    if (study_write(&results, e))
+        return e->status;
+    return check_plots(&job->study, &job->points, e);
+}
+
+/* As mkdir -p. */
+static enum status make_directories(const char *path, struct error *e)
+{
+    char copy[PATH_MAX];
+    if (snprintf(copy, sizeof copy, "%s", path) >= (int)sizeof copy)
+        return error_set(e, STATUS_OUTPUT, "-o %.100s...: the name is too long", path);
+    for (char *slash = copy; slash;) {
+        slash = strchr(slash + 1, '/');
+        if (slash)
+            *slash = 0;
+        if (mkdir(copy, 0777) && errno != EEXIST)
+            return error_set(e, STATUS_OUTPUT, "-o %s: %s: %s", path, copy, strerror(errno));
+        if (slash)
+            *slash = '/';
+    }
+    return STATUS_OK;
+}
+
+/* DIR for one study, DIR/NAME for each of several. */
+static void name_directory(const struct request *r, const char *study, char *out, size_t size)
+{
+    char copy[PATH_MAX];
+    snprintf(copy, sizeof copy, "%s", study);
+    char *name = basename(copy), *dot = strrchr(name, '.');
+    if (dot)
+        *dot = 0;
+    snprintf(out, size, "%s%s%s", r->directory, r->count > 1 ? "/" : "", r->count > 1 ? name : "");
+}
+
+/* Reads and checks a study, and claims its directory. */
+static enum status job_open(struct job *job, const struct request *r, const char *path,
+                            struct error *e)
+{
+    job->claim.file = -1;
+    job->about.command = r->command;
+    if (study_read(&job->study, path, e))
+        return e->status;
+    if (r->repeats)
+        job->study.repeats = r->repeats;
+    name_directory(r, path, job->directory, sizeof job->directory);
+    return study_points_create(&job->points, &job->study, e);
+}
+
+static void job_close(struct job *job)
+{
+    output_release(&job->claim);
+    study_points_free(&job->points);
+    study_free(&job->study);
+}
+
+/* All are read before anything is run or written; those that are left share the budget that is. */
+static enum status run_all(const struct request *r, struct job *jobs, struct error *e)
+{
+    double start = clock_seconds();
+    for (size_t k = 0; k < r->count; k++)
+        if (job_open(&jobs[k], r, r->studies[k], e))
+            return e->status;
+    for (size_t k = 0; k < r->count; k++) {
+        double left = r->budget - (clock_seconds() - start);
+        if (make_directories(jobs[k].directory, e) ||
+            output_claim(&jobs[k].claim, jobs[k].directory, e) ||
+            work(&jobs[k], left / (double)(r->count - k), e))
+            return e->status;
+    }
+    return STATUS_OK;
+}
+
+static char *join(int argc, char **argv)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputs("sph-render", out);
+    for (int k = 0; k < argc; k++)
+        fprintf(out, " %s", argv[k]);
+    return fclose(out) == 0 ? text : NULL;
+}
+
+static int study_run_tool(int argc, char **argv)
+{
+    static const struct argp parser = {.options = options, .parser = parse_option,
+        .args_doc = "STUDY.json...",
+        .doc = "Runs a scene over methods and ladders of settings and reports error against run time: "
+               "tables, figures and a page. The same command goes on where one was stopped."};
+    struct request r = {.budget = INFINITY};
+    struct error e = {.status = STATUS_OK};
+    static char name[] = "sph-render study";
+    r.command = join(argc, argv);
+    argv[0] = name;
+    if (argp_parse(&parser, argc, argv, 0, NULL, &r))
+        e.status = STATUS_USAGE;
+    struct job *jobs = e.status ? NULL : memory_create("studies", r.count, sizeof *jobs, &e);
+    if (jobs)
+        run_all(&r, jobs, &e);
+    for (size_t k = 0; jobs && k < r.count; k++)
+        job_close(&jobs[k]);
+    memory_free(jobs);
+    if (e.status && e.text[0])
+        log_error("%s", e.text);
+    free(r.command);
+    return e.status;
+}
+
+const struct tool tool_study = {
+    .variant = {.name = "study", .doc = "error against run time, over methods and resolutions"},
+    .run = study_run_tool,
+};
