@@ -25,7 +25,9 @@ struct study_errors {
 
 struct case_row {
     struct variant variant; /* the doc says what is compared, and the source of the reference */
-    double interval;        /* s between rows; 0: the scene's frames */
+    double (*interval)(const struct scene *scene); /* s between rows */
+    /* What a scene with a body must have and this one has not, "a viscosity"; NULL: nothing. */
+    const char *(*lacks)(const struct scene *scene);
     /* Writes the elements of the scene's list "measure" as JSON, without brackets. */
     void (*measure)(const struct scene *scene, FILE *out);
     /* STATUS_RUN with the reason when the run did not reach what is compared. */
@@ -34,6 +36,10 @@ struct case_row {
 };
 
 extern const struct variant_table case_table; /* "cases" */
+
+/* STATUS_USAGE with the reason when the case is not for such a scene. The functions of a row are only
+ * for scenes that pass. */
+enum status case_check(const struct case_row *row, const struct scene *scene, struct error *e);
 
 /* Appends an error; what a table cannot hold is a programming mistake and left out. */
 void study_error_add(struct study_errors *errors, double value, const char *unit, double asked,

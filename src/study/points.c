@@ -75,7 +75,7 @@ static enum status set_products(const struct study *study, const struct scene *s
     static const char label[] = "what the study measures";
     char number[32];
     double interval = !isnan(study->interval) ? study->interval
-                      : study->known          ? study->known->interval : 0;
+                      : study->known          ? study->known->interval(scene) : 0;
     char *text = measure_text(study, scene);
     if (!text)
         return error_set(e, STATUS_RUN, "memory is short");
@@ -162,6 +162,8 @@ static enum status point_create(struct study_point *point, const struct study *s
     strcpy(point->isa, "auto");
     point->energy_drift = point->momentum_drift = point->order = (double)NAN;
     enum status status = apply(point, study, rung, method, &set, e);
+    if (!status && study->known)
+        status = case_check(study->known, point->scene, e);
     if (!status)
         status = set_products(study, point->scene, &set, e);
     if (!status)
