@@ -65,9 +65,9 @@ void figure_view_free(struct figure_view *view);
 double figure_part(const struct figure_axis *axis, double value);
 
 /* Sides of a mark where its rung is written. */
-enum label_side { LABEL_NONE, LABEL_RIGHT, LABEL_LEFT, LABEL_ABOVE, LABEL_BELOW };
+enum label_side { LABEL_NONE, LABEL_ABOVE, LABEL_BELOW, LABEL_RIGHT, LABEL_LEFT };
 
-/* Chooses for each mark a side where its label covers no mark and no other label,
+/* Chooses for each mark a side where its label covers no mark, line or other label,
  * or LABEL_NONE. */
 void figure_labels(const struct figure_view *view, enum label_side *sides);
 

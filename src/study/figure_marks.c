@@ -7,7 +7,7 @@
 /* In parts of a figure's inside. */
 #define LETTER_WIDTH  0.026
 #define LETTER_HEIGHT 0.060
-#define MARK_SIZE     0.026
+#define MARK_SIZE     0.030
 
 struct box {
     double left, right, bottom, top;
@@ -40,6 +40,32 @@ static struct box label_box(const struct figure_view *view, size_t k, enum label
     return around(x, y, width, LETTER_HEIGHT);
 }
 
+/* Whether a straight line between two marks goes through, to a part of its length. */
+static bool line_crosses(const struct figure_view *view, size_t a, size_t b, const struct box *box)
+{
+    enum { PARTS = 40 };
+    for (int part = 0; part <= PARTS; part++) {
+        double t = (double)part / PARTS;
+        double x = (1 - t) * figure_part(&view->x, view->marks[a].x) +
+                   t * figure_part(&view->x, view->marks[b].x);
+        double y = (1 - t) * figure_part(&view->y, view->marks[a].y) +
+                   t * figure_part(&view->y, view->marks[b].y);
+        if (x > box->left && x < box->right && y > box->bottom && y < box->top)
+            return true;
+    }
+    return false;
+}
+
+/* The mark that the curve came from, or k itself. */
+static size_t mark_before(const struct figure_view *view, size_t k)
+{
+    for (size_t before = k; before-- > 0;)
+        if (view->marks[before].point->method == view->marks[k].point->method &&
+            !view->marks[before].failed)
+            return before;
+    return k;
+}
+
 static bool is_free(const struct figure_view *view, const enum label_side *sides, size_t k,
                     const struct box *box)
 {
@@ -48,7 +74,8 @@ static bool is_free(const struct figure_view *view, const enum label_side *sides
     for (size_t other = 0; other < view->count; other++) {
         struct box mark = mark_box(view, other), label = label_box(view, other, sides[other]);
         if ((other != k && overlap(box, &mark)) ||
-            (other < k && sides[other] != LABEL_NONE && overlap(box, &label)))
+            (other < k && sides[other] != LABEL_NONE && overlap(box, &label)) ||
+            (!view->marks[other].failed && line_crosses(view, mark_before(view, other), other, box)))
             return false;
     }
     return true;
@@ -58,7 +85,7 @@ void figure_labels(const struct figure_view *view, enum label_side *sides)
 {
     for (size_t k = 0; k < view->count; k++) {
         sides[k] = LABEL_NONE;
-        for (enum label_side side = LABEL_RIGHT; side <= LABEL_BELOW && !sides[k]; side++) {
+        for (enum label_side side = LABEL_ABOVE; side <= LABEL_LEFT && !sides[k]; side++) {
             struct box box = label_box(view, k, side);
             if (is_free(view, sides, k, &box))
                 sides[k] = side;
