@@ -1,4 +1,5 @@
 /* Records a comparison as one HTML page that holds its pictures. */
+#include "base/html.h"
 #include "base/memory.h"
 #include "base/output.h"
 #include "compare/record.h"
@@ -25,18 +26,6 @@ static const char head[] =
     "td,th{padding:0 .8em 0 0;text-align:left}.over{color:#c00;font-weight:bold}"
     "summary{cursor:pointer}</style>\n";
 
-static void escape(FILE *out, const char *text)
-{
-    for (; *text; text++)
-        switch (*text) {
-        case '&': fputs("&amp;", out); break;
-        case '<': fputs("&lt;", out); break;
-        case '>': fputs("&gt;", out); break;
-        case '"': fputs("&quot;", out); break;
-        default: putc(*text, out);
-        }
-}
-
 static enum status page_open(struct sink **made, const struct comparison *comparison,
                              const char *path, struct error *e)
 {
@@ -61,72 +50,18 @@ static enum status page_open(struct sink **made, const struct comparison *compar
     return e->status;
 }
 
-static void base64(FILE *out, const unsigned char *bytes, size_t size)
-{
-    static const char letters[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < size; i += 3) {
-        unsigned left = size - i < 3 ? (unsigned)(size - i) : 3, three = (unsigned)bytes[i] << 16;
-        three |= left > 1 ? (unsigned)bytes[i + 1] << 8 : 0;
-        three |= left > 2 ? (unsigned)bytes[i + 2] : 0;
-        for (unsigned k = 0; k < 4; k++)
-            putc(k <= left ? letters[three >> (18 - 6 * k) & 63] : '=', out);
-    }
-}
-
-static enum status figure(struct sink *sink, const struct image *image, const char *caption,
-                          const char *of, struct error *e)
+/* `width`: about, pixels; 0: as it is. */
+static enum status figure(struct sink *sink, const struct image *image, int width,
+                          const char *caption, const char *of, struct error *e)
 {
     FILE *out = sink->file.stream;
-    char *bytes = NULL;
-    size_t size = 0;
-    FILE *memory = open_memstream(&bytes, &size);
-    if (!memory)
-        return error_set(e, STATUS_RUN, "memory is short");
-    enum status status = image_write_png_to(image, memory, sink->file.path, e);
-    if (fclose(memory) != 0 && !status)
-        status = error_set(e, STATUS_RUN, "memory is short");
-    if (!status) {
-        fputs("<figure><img alt=\"\" src=\"data:image/png;base64,", out);
-        base64(out, (const unsigned char *)bytes, size);
-        fprintf(out, "\"><figcaption>%s ", caption);
-        escape(out, of);
-        fputs("</figcaption></figure>\n", out);
-    }
-    free(bytes);
-    return status;
-}
-
-/* Means of squares of `factor` pixels. */
-static enum status shrink(struct image *out, const struct image *in, int factor, struct error *e)
-{
-    if (image_create(out, in->width / factor, in->height / factor, e))
+    fputs("<figure>", out);
+    if (html_image(out, image, width, sink->file.path, e))
         return e->status;
-    for (int y = 0; y < out->height; y++)
-        for (int x = 0; x < out->width; x++)
-            for (int k = 0; k < 4; k++) {
-                int sum = 0;
-                for (int i = 0; i < factor * factor; i++)
-                    sum += in->rgba[4 * ((size_t)(y * factor + i / factor) * (size_t)in->width +
-                                         (size_t)(x * factor + i % factor)) + (size_t)k];
-                out->rgba[4 * ((size_t)y * (size_t)out->width + (size_t)x) + (size_t)k] =
-                    (uint8_t)(sum / (factor * factor));
-            }
+    fprintf(out, "<figcaption>%s ", caption);
+    html_text(out, of);
+    fputs("</figcaption></figure>\n", out);
     return STATUS_OK;
-}
-
-static enum status small_figure(struct sink *sink, const struct verdict *verdict, struct error *e)
-{
-    struct image small = {0};
-    const struct image *in = verdict->frame;
-    int side = in->width < in->height ? in->width : in->height, factor = in->width / SMALL;
-    factor = factor < 1 ? 1 : factor > side ? side : factor;
-    enum status status = shrink(&small, in, factor, e);
-    if (!status)
-        status = figure(sink, &small, "equal to that of",
-                        sink->comparison->baselines[verdict->baseline], e);
-    image_free(&small);
-    return status;
 }
 
 static enum status figures(struct sink *sink, const struct verdict *verdict, struct error *e)
@@ -134,16 +69,17 @@ static enum status figures(struct sink *sink, const struct verdict *verdict, str
     struct image map = {0};
     enum status status = STATUS_OK;
     if (verdict->state == VERDICT_EQUAL)
-        return small_figure(sink, verdict, e);
+        return figure(sink, verdict->frame, SMALL, "equal to that of",
+                      sink->comparison->baselines[verdict->baseline], e);
     if (verdict->frame)
-        status = figure(sink, verdict->frame, "of", sink->comparison->frames, e);
+        status = figure(sink, verdict->frame, 0, "of", sink->comparison->frames, e);
     if (!status && verdict->accepted)
-        status = figure(sink, verdict->accepted, "accepted:",
+        status = figure(sink, verdict->accepted, 0, "accepted:",
                         sink->comparison->baselines[verdict->baseline], e);
     if (status || verdict->state > VERDICT_DIFFERENT)
         return status;
     if ((status = verdict_map(verdict, &map, e)) == STATUS_OK)
-        status = figure(sink, &map, "differences, 16 times", "", e);
+        status = figure(sink, &map, 0, "differences, 16 times", "", e);
     image_free(&map);
     return status;
 }
@@ -171,7 +107,7 @@ static enum status page_frame(struct sink *sink, const struct verdict *verdict, 
     FILE *out = sink->file.stream;
     bool bad = !verdict_passes(verdict->state);
     fprintf(out, "<details%s><summary>", bad ? " class=\"bad\" open" : "");
-    escape(out, verdict->name);
+    html_text(out, verdict->name);
     fprintf(out, ": %s</summary>\n", verdict_word(verdict->state));
     if (verdict->state == VERDICT_SAME || verdict->state == VERDICT_DIFFERENT)
         scores(out, sink->comparison, verdict);
@@ -188,7 +124,7 @@ static enum status page_close(struct sink *sink, const struct tally *tally, bool
 {
     FILE *out = sink->file.stream;
     fprintf(out, "<header><h1>%s</h1><p>", tally->failed ? "Different" : "Same");
-    escape(out, sink->comparison->frames);
+    html_text(out, sink->comparison->frames);
     fprintf(out, ", gate %s: %zu frames", sink->comparison->gate, tally->frames);
     for (int s = 0; s < VERDICT_STATES; s++)
         if (tally->count[s])

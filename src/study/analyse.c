@@ -1,4 +1,4 @@
-/* Observed orders of convergence, and which points are on the front of error against time. */
+/* Observed orders of convergence, and which points are on the front of error against cost. */
 #include "study/study.h"
 
 #include <math.h>
@@ -13,20 +13,10 @@ long study_error_place(const struct study_points *points, const char *name)
     return -1;
 }
 
-/* |error|, or NAN when the point has none. */
-static double size_of(const struct study_point *point, size_t plot)
+double study_error_size(const struct study_point *point, size_t plot)
 {
     return point->outcome == OUTCOME_DONE && point->ladder && plot < point->errors.count
                ? fabs(point->errors.items[plot].value) : (double)NAN;
-}
-
-/* p of error ~ d^p between two rungs; NAN where the spacing does not change. */
-static double order_between(const struct study_point *coarse, const struct study_point *fine,
-                            size_t plot)
-{
-    double ratio = coarse->scene->particles.spacing / fine->scene->particles.spacing;
-    double fall = size_of(coarse, plot) / size_of(fine, plot);
-    return ratio > 1 && fall > 0 && isfinite(fall) ? log(fall) / log(ratio) : (double)NAN;
 }
 
 static const struct study_point *rung_before(const struct study_points *points,
@@ -41,21 +31,27 @@ static const struct study_point *rung_before(const struct study_points *points,
     return NULL;
 }
 
-/* Less in both, or less in one and equal in the other. */
-static bool beats(const struct study_point *a, const struct study_point *b, size_t plot)
+double study_order(const struct study_points *points, const struct study_point *point, size_t plot)
 {
-    double ea = size_of(a, plot), eb = size_of(b, plot), ta = study_wall(a), tb = study_wall(b);
-    return a->ladder == b->ladder && ea <= eb && ta <= tb && (ea < eb || ta < tb);
+    const struct study_point *before = point->ladder ? rung_before(points, point) : NULL;
+    if (!before)
+        return (double)NAN;
+    double ratio = before->scene->particles.spacing / point->scene->particles.spacing;
+    double fall = study_error_size(before, plot) / study_error_size(point, plot);
+    return ratio > 1 && fall > 0 && isfinite(fall) ? log(fall) / log(ratio) : (double)NAN;
 }
 
-void study_analyse(struct study_points *points, size_t plot)
+bool study_is_front(const struct study_points *points, const struct study_point *point, size_t plot,
+                    double (*cost)(const struct study_point *))
 {
+    double error = study_error_size(point, plot), spent = cost(point);
+    if (isnan(error) || isnan(spent))
+        return false;
     for (size_t k = 0; k < points->count; k++) {
-        struct study_point *point = &points->items[k];
-        const struct study_point *before = point->rung > 0 ? rung_before(points, point) : NULL;
-        point->order = before ? order_between(before, point, plot) : (double)NAN;
-        point->front = !isnan(size_of(point, plot));
-        for (size_t i = 0; i < points->count && point->front; i++)
-            point->front = !beats(&points->items[i], point, plot);
+        const struct study_point *other = &points->items[k];
+        double e = study_error_size(other, plot), c = cost(other);
+        if (other->ladder == point->ladder && e <= error && c <= spent && (e < error || c < spent))
+            return false;
     }
+    return true;
 }

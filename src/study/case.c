@@ -1,6 +1,7 @@
 /* The table of validation cases. */
 #include "study/case.h"
 
+#include <math.h>
 #include <stdarg.h>
 
 extern const struct case_row case_free_fall, case_poiseuille, case_couette, case_taylor_green,
@@ -45,8 +46,15 @@ void study_error_add(struct study_errors *errors, double value, const char *unit
     if (errors->count == ERRORS_MAX)
         return;
     struct study_error *error = &errors->items[errors->count++];
-    *error = (struct study_error){.value = value, .unit = unit, .asked = asked};
+    *error = (struct study_error){.value = value, .unit = unit, .asked = asked,
+                                   .spread = (double)NAN};
     va_start(args, format);
     vsnprintf(error->name, sizeof error->name, format, args);
     va_end(args);
+}
+
+void study_error_spread(struct study_errors *errors, double spread)
+{
+    if (errors->count)
+        errors->items[errors->count - 1].spread = spread;
 }

@@ -16,6 +16,7 @@ struct study_error {
     double value;     /* with its sign where it has one */
     const char *unit; /* "%": a part of the reference, printed times 100; "m" ...; "" for none */
     double asked;     /* bound of |value| that is aimed at; NAN: none */
+    double spread;    /* of the reference by experiments, as |value| would be; NAN: none */
 };
 
 struct study_errors {
@@ -44,5 +45,8 @@ enum status case_check(const struct case_row *row, const struct scene *scene, st
 /* Appends an error; what a table cannot hold is a programming mistake and left out. */
 void study_error_add(struct study_errors *errors, double value, const char *unit, double asked,
                      const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+/* Sets the spread of the last one that was added. */
+void study_error_spread(struct study_errors *errors, double spread);
 
 #endif

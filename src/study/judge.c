@@ -99,6 +99,31 @@ static enum status reference_values(const struct study_asked *asked, const struc
     return STATUS_OK;
 }
 
+/* Half the band of the data in the error's norm, at its own times; NAN without a band. */
+static enum status data_spread(const struct study_asked *asked, double *spread, struct error *e)
+{
+    struct columns data = {0};
+    const double *exact = NULL, *low = NULL, *high = NULL;
+    double *shifted = NULL;
+    *spread = (double)NAN;
+    if (asked->kind != REFERENCE_DATA || !asked->low[0] || !asked->high[0])
+        return STATUS_OK;
+    enum status status = columns_read(&data, asked->path, e);
+    if (!status && (!(exact = columns_need(&data, asked->reference_column, e)) ||
+                    !(low = columns_need(&data, asked->low, e)) ||
+                    !(high = columns_need(&data, asked->high, e))))
+        status = e->status;
+    if (!status && !(shifted = calloc(data.rows, sizeof *shifted)))
+        status = memory_short(e);
+    for (size_t k = 0; k < data.rows && !status; k++)
+        shifted[k] = exact[k] + (high[k] - low[k]) / 2;
+    if (!status)
+        *spread = fabs(asked->norm->of(shifted, exact, data.rows));
+    free(shifted);
+    columns_free(&data);
+    return status;
+}
+
 /* Compares where there is a reference: data need not reach over the whole run. */
 static enum status judge_asked(const struct study_asked *asked, const struct columns *c,
                                const struct columns *run, struct study_errors *errors,
@@ -111,7 +136,10 @@ static enum status judge_asked(const struct study_asked *asked, const struct col
         free(exact);
         return values ? memory_short(e) : e->status;
     }
+    double spread;
     enum status status = reference_values(asked, c, values, run, exact, e);
+    if (!status)
+        status = data_spread(asked, &spread, e);
     for (size_t k = 0; k < c->rows && !status; k++)
         if (!isnan(exact[k])) {
             exact[count] = exact[k];
@@ -120,9 +148,11 @@ static enum status judge_asked(const struct study_asked *asked, const struct col
     if (!status && !count)
         status = error_set(e, STATUS_RUN, "%s: the reference has no value in the run's time",
                            asked->name);
-    if (!status)
+    if (!status) {
         study_error_add(errors, asked->norm->of(found, exact, count), "%", asked->asked, "%s",
                         asked->name);
+        study_error_spread(errors, spread);
+    }
     free(exact);
     return status;
 }

@@ -160,7 +160,7 @@ static enum status point_create(struct study_point *point, const struct study *s
     struct study_set set = {0};
     struct run_options options = {.backend = "auto", .renderer = "auto", .isa = "auto"};
     strcpy(point->isa, "auto");
-    point->energy_drift = point->momentum_drift = point->order = (double)NAN;
+    point->energy_drift = point->momentum_drift = (double)NAN;
     enum status status = apply(point, study, rung, method, &set, e);
     if (!status && study->known)
         status = case_check(study->known, point->scene, e);
@@ -228,4 +228,60 @@ double study_wall(const struct study_point *point)
 double study_cpu(const struct study_point *point)
 {
     return least(point->cpu, point->repeats);
+}
+
+double study_wall_median(const struct study_point *point)
+{
+    double sorted[STUDY_REPEATS_MAX];
+    int count = point->repeats;
+    if (count == 0)
+        return (double)NAN;
+    memcpy(sorted, point->wall, (size_t)count * sizeof *sorted);
+    for (int i = 1; i < count; i++)
+        for (int j = i; j > 0 && sorted[j - 1] > sorted[j]; j--) {
+            double swap = sorted[j];
+            sorted[j] = sorted[j - 1];
+            sorted[j - 1] = swap;
+        }
+    return (sorted[(count - 1) / 2] + sorted[count / 2]) / 2;
+}
+
+double study_pairs(const struct study_point *point)
+{
+    return point->repeats > 0 && point->pairs > 0 ? point->pairs : (double)NAN;
+}
+
+/* Hash of the scene as the study has it, with a method's settings or without. */
+static enum status hash_of(const struct study *study, const struct study_method *method,
+                           uint64_t *hash, struct error *e)
+{
+    struct study_point point = {0};
+    struct study_set set = {0};
+    enum status status = take_run_settings(&point, &study->set, &set, e);
+    if (!status && method)
+        status = take_run_settings(&point, &method->set, &set, e);
+    if (!status)
+        status = load(&point, study, &set, e);
+    if (!status)
+        *hash = scene_hash(point.scene, &run_vocabulary);
+    scene_free(point.scene);
+    set_free(&set);
+    return status;
+}
+
+enum status study_default(const struct study *study, const struct study_method **method, bool *own,
+                          struct error *e)
+{
+    uint64_t plain, hash;
+    *method = &study->methods[0];
+    *own = false;
+    if (hash_of(study, NULL, &plain, e))
+        return e->status;
+    for (size_t k = 0; k < study->method_count && !*own; k++) {
+        if (hash_of(study, &study->methods[k], &hash, e))
+            return e->status;
+        *own = hash == plain;
+        *method = *own ? &study->methods[k] : *method;
+    }
+    return STATUS_OK;
 }

@@ -1,11 +1,13 @@
-/* Runs this program again as a child. */
+/* Runs this program again, or another, as a child. */
 #include "study/process.h"
 
 #include "base/log.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -31,7 +33,7 @@ void process_catch_signals(void)
 
 /* In the child. It gets no signal of the terminal's, so that what it wrote is whole or absent as we
  * say, and ends when we do. */
-static void become(const char *const *argv, int log)
+static void become(const char *const *argv, const char *directory, int log)
 {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -40,7 +42,10 @@ static void become(const char *const *argv, int log)
     signal(SIGHUP, SIG_DFL);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
-    execv("/proc/self/exe", (char *const *)argv);
+    if (!directory)
+        execv("/proc/self/exe", (char *const *)argv);
+    else if (chdir(directory) == 0)
+        execvp(argv[0], (char *const *)argv);
 }
 
 /* Waits, and ends what is late or no longer wanted. */
@@ -62,8 +67,9 @@ static int wait_for(pid_t child, double limit, struct process_end *end)
     return state;
 }
 
-enum status process_run(const char *const *argv, const char *log, double limit,
-                        struct process_end *end, struct error *e)
+/* `directory`: of another program; NULL: it is this one, here. */
+static enum status start(const char *const *argv, const char *directory, const char *log,
+                         double limit, struct process_end *end, struct error *e)
 {
     *end = (struct process_end){0};
     int file = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -71,7 +77,7 @@ enum status process_run(const char *const *argv, const char *log, double limit,
         return error_set(e, STATUS_OUTPUT, "%s: %s", log, strerror(errno));
     pid_t child = interrupted ? -1 : fork();
     if (child == 0) {
-        become(argv, file);
+        become(argv, directory, file);
         _exit(STATUS_INTERRUPTED); /* only when there is no program to become */
     }
     close(file);
@@ -84,4 +90,30 @@ enum status process_run(const char *const *argv, const char *log, double limit,
                          "one stopped");
     return child > 0 ? STATUS_OK
                      : error_set(e, STATUS_RUN, "no child process: %s", strerror(errno));
+}
+
+enum status process_run(const char *const *argv, const char *log, double limit,
+                        struct process_end *end, struct error *e)
+{
+    return start(argv, NULL, log, limit, end, e);
+}
+
+enum status process_run_other(const char *const *argv, const char *directory, const char *log,
+                              struct process_end *end, struct error *e)
+{
+    return start(argv, directory, log, INFINITY, end, e);
+}
+
+bool process_found(const char *name)
+{
+    char path[4096];
+    const char *from = getenv("PATH");
+    while (from && *from) {
+        size_t length = strcspn(from, ":");
+        snprintf(path, sizeof path, "%.*s/%s", (int)length, from, name);
+        if (access(path, X_OK) == 0)
+            return true;
+        from += length + (from[length] == ':');
+    }
+    return false;
 }

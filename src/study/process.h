@@ -1,4 +1,4 @@
-/* Runs this program again as a child, with a limit of time, and kills it with us. */
+/* Runs this program again, or another, as a child, with a limit of time, and kills it with us. */
 #ifndef STUDY_PROCESS_H
 #define STUDY_PROCESS_H
 
@@ -16,6 +16,13 @@ struct process_end {
  * `log`. STATUS_RUN when it cannot be started, STATUS_INTERRUPTED when we were told to stop. */
 enum status process_run(const char *const *argv, const char *log, double limit,
                         struct process_end *end, struct error *e);
+
+/* Whether PATH has a program of that name. */
+bool process_found(const char *name);
+
+/* The same for the program argv[0], found on PATH, in a directory. */
+enum status process_run_other(const char *const *argv, const char *directory, const char *log,
+                              struct process_end *end, struct error *e);
 
 /* From now on SIGINT, SIGTERM and SIGHUP stop the present child, and process_run with it. */
 void process_catch_signals(void);

@@ -3,7 +3,6 @@
 #include "study/products.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Quotes, for texts that may hold commas. */
 static void write_text(const char *text, FILE *out)
@@ -22,21 +21,6 @@ static void write_number(double number, FILE *out)
     fputc(',', out);
     if (!isnan(number))
         fprintf(out, "%.9g", number);
-}
-
-static double median(const double *values, int count)
-{
-    double sorted[STUDY_REPEATS_MAX];
-    if (count == 0)
-        return (double)NAN;
-    memcpy(sorted, values, (size_t)count * sizeof *sorted);
-    for (int i = 1; i < count; i++)
-        for (int j = i; j > 0 && sorted[j - 1] > sorted[j]; j--) {
-            double swap = sorted[j];
-            sorted[j] = sorted[j - 1];
-            sorted[j - 1] = swap;
-        }
-    return (sorted[(count - 1) / 2] + sorted[count / 2]) / 2;
 }
 
 static void write_names(const struct study_points *points, FILE *out)
@@ -71,7 +55,7 @@ static void write_point(const struct study_point *p, FILE *out)
     write_number(ran ? p->particles : p->guess, out);
     write_number(p->scene->particles.spacing, out);
     fprintf(out, ",%d,%s,%d", p->threads, p->isa, p->repeats);
-    const double numbers[] = {study_wall(p), median(p->wall, p->repeats), study_cpu(p),
+    const double numbers[] = {study_wall(p), study_wall_median(p), study_cpu(p),
                               study_wall(p) * 1e9 / p->steps / p->particles, p->pairs,
                               p->steps, p->rejected, p->dt, p->iterations, p->bytes,
                               p->energy_drift, p->momentum_drift};

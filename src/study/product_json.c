@@ -38,6 +38,7 @@ static void write_errors(const struct study_errors *errors, FILE *out)
         write_text("name", error->name, out);
         write_text("unit", error->unit, out);
         write_number("asked", error->asked, out);
+        write_number("spread", error->spread, out);
         if (isfinite(error->value))
             fprintf(out, "\"value\": %.9g}", error->value);
         else
@@ -46,7 +47,9 @@ static void write_errors(const struct study_errors *errors, FILE *out)
     fputs("]", out);
 }
 
-static void write_point(const struct study_point *p, FILE *out)
+/* Order and front are of the first figure. */
+static void write_point(const struct study_points *points, const struct study_point *p, size_t plot,
+                        FILE *out)
 {
     fputs("{", out);
     write_text("ladder", p->ladder ? p->ladder->name : "reference", out);
@@ -73,8 +76,8 @@ static void write_point(const struct study_point *p, FILE *out)
         write_number("energy_drift", p->energy_drift, out);
         write_number("momentum_drift", p->momentum_drift, out);
     }
-    write_number("order", p->order, out);
-    fprintf(out, "\"front\": %s, ", p->front ? "true" : "false");
+    write_number("order", study_order(points, p, plot), out);
+    fprintf(out, "\"front\": %s, ", study_is_front(points, p, plot, study_wall) ? "true" : "false");
     write_errors(&p->errors, out);
     fputs("}", out);
 }
@@ -89,7 +92,6 @@ static enum status write_json(const struct study_results *results, struct error 
         return e->status;
     FILE *out = file.stream;
     study_plots(results, &plot, 1);
-    study_analyse(results->points, plot); /* order and front are of the first figure */
     fputs("{", out);
     write_text("title", results->study->title, out);
     write_text("study", results->study->path, out);
@@ -102,7 +104,7 @@ static enum status write_json(const struct study_results *results, struct error 
     fputs("\"points\": [", out);
     for (size_t k = 0; k < results->points->count; k++) {
         fputs(k ? ",\n  " : "\n  ", out);
-        write_point(&results->points->items[k], out);
+        write_point(results->points, &results->points->items[k], plot, out);
     }
     fputs("]}\n", out);
     return output_close(&file, true, e);

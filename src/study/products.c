@@ -3,11 +3,12 @@
 
 #include <string.h>
 
-extern const struct product_row product_csv, product_json;
+extern const struct product_row product_csv, product_json, product_plots;
 
 static const struct variant *const rows[] = {
     &product_csv.variant,
     &product_json.variant,
+    &product_plots.variant,
 };
 
 const struct variant_table product_table = {"products", "what a study leaves in its directory", rows,

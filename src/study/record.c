@@ -66,8 +66,8 @@ static void judge_end(struct study_point *point, const struct process_end *end, 
     point->cause[0] = 0;
     point->outcome = end->late                 ? OUTCOME_LATE
                      : end->code == STATUS_OK  ? OUTCOME_DONE
-                     : end->code == STATUS_RUN ? OUTCOME_STOPPED
-                                               : OUTCOME_CRASHED;
+                     : end->code < 128         ? OUTCOME_STOPPED
+                                               : OUTCOME_CRASHED; /* by a signal */
     if (point->outcome == OUTCOME_LATE)
         snprintf(point->cause, sizeof point->cause, "took longer than %.4g s", limit);
     else if (point->outcome != OUTCOME_DONE) {

@@ -13,9 +13,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* A run that takes longer is not made again, s: the machine's noise has averaged out in it. */
-#define REPEAT_LONGEST 20.0
-
 struct schedule {
     const struct study *study;
     struct study_points *points;

@@ -11,6 +11,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* A run that takes longer is not made again, s: the machine's noise has averaged out in it. */
+#define REPEAT_LONGEST 20.0
+
 enum { STUDY_REPEATS_MAX = 64, STUDY_NAME_SIZE = 96 };
 
 /* Settings of scene keys, as scene_overrides has them; labels say where the study has them. */
@@ -25,6 +28,13 @@ struct study_method {
     struct study_set set;
 };
 
+/* What its figures show. */
+enum ladder_figure {
+    LADDER_BY_RULE, /* LADDER_TIME by threads or isa, or when no error differs; else LADDER_WORK */
+    LADDER_WORK,    /* error, and time */
+    LADDER_TIME     /* the key's value, and time */
+};
+
 /* A family of points along each curve; never mixed with another in a figure. */
 struct study_ladder {
     char name[STUDY_NAME_SIZE];  /* "resolution" */
@@ -32,6 +42,7 @@ struct study_ladder {
     struct study_set *rungs;     /* coarse to fine */
     char (*labels)[32];          /* of the rungs: the key's values */
     size_t count;
+    enum ladder_figure figure;
 };
 
 enum reference_kind {
@@ -73,7 +84,7 @@ struct study {
     size_t method_count;
     struct study_ladder *ladders;
     size_t ladder_count;
-    int repeats;                  /* runs of each point */
+    int repeats;                  /* runs of each point, but for those longer than REPEAT_LONGEST */
     double limit;                 /* s, of one run; INFINITY */
 };
 
@@ -110,9 +121,6 @@ struct study_point {
     double energy_drift, momentum_drift; /* parts; NAN: not measured, or not kept by nature */
     char hash[17];                /* of the last state */
     struct study_errors errors;
-
-    double order;                 /* observed, of the plotted error, from the rung before; NAN */
-    bool front;                   /* no other point of its ladder has less error in less time */
 };
 
 struct study_points {
@@ -128,14 +136,29 @@ void study_points_free(struct study_points *points);
 /* The least of the repeats' times, s; NAN without. */
 double study_wall(const struct study_point *point);
 double study_cpu(const struct study_point *point);
+double study_wall_median(const struct study_point *point);
+
+/* Pairs that were evaluated, the cost that no noise is in; NAN without. */
+double study_pairs(const struct study_point *point);
+
+/* The method whose settings are the scene's own, else the first; *own says which of the two. */
+enum status study_default(const struct study *study, const struct study_method **method, bool *own,
+                          struct error *e);
 
 /* Reads the files of a run's first repeat, and fills what it did and its errors. `reference`: the
  * columns of the run that is the reference, or NULL. STATUS_RUN when they cannot be read. */
 enum status study_judge(const struct study *study, struct study_point *point,
                         const char *directory, const struct columns *reference, struct error *e);
 
-/* Fills orders and fronts of the error `plot`, place in errors.items. */
-void study_analyse(struct study_points *points, size_t plot);
+/* |error| `plot` (place in errors.items) of a point that is done; else NAN. */
+double study_error_size(const struct study_point *point, size_t plot);
+
+/* p of error ~ d^p from the rung before to this one; NAN where the spacing does not change. */
+double study_order(const struct study_points *points, const struct study_point *point, size_t plot);
+
+/* Whether no other point of the ladder has less error for no more cost, or no more error for less. */
+bool study_is_front(const struct study_points *points, const struct study_point *point, size_t plot,
+                    double (*cost)(const struct study_point *));
 
 /* Place of the error of that name in what the points have, or -1. */
 long study_error_place(const struct study_points *points, const char *name);

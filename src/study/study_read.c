@@ -181,6 +181,18 @@ static enum status fill_rungs(struct reading *r, const struct set_lists *lists,
     return STATUS_OK;
 }
 
+static enum status read_figure(struct reading *r, int object, enum ladder_figure *figure)
+{
+    char word[KEY_TEXT_SIZE];
+    int node;
+    if (read_member(&r->doc, object, "figure", JSON_STRING, false, &node, r->e) || node < 0)
+        return r->e->status;
+    json_string(&r->doc, node, word, sizeof word);
+    *figure = strcmp(word, "time") == 0 ? LADDER_TIME : LADDER_WORK;
+    return *figure == LADDER_TIME || strcmp(word, "work-precision") == 0
+               ? STATUS_OK : fail(r, node, "give \"work-precision\" or \"time\"");
+}
+
 static enum status read_ladder(struct reading *r, int node, struct study_ladder *ladder)
 {
     struct set_lists lists;
@@ -188,7 +200,8 @@ static enum status read_ladder(struct reading *r, int node, struct study_ladder 
     if (r->doc.nodes[node].kind != JSON_OBJECT)
         return fail(r, node, "give an object such as {\"name\": \"resolution\", \"set\": "
                              "{\"particles.spacing\": [0.02, 0.01]}}");
-    if (read_only(&r->doc, node, "name|set", r->e) ||
+    if (read_only(&r->doc, node, "name|set|figure", r->e) ||
+        read_figure(r, node, &ladder->figure) ||
         read_text(&r->doc, node, "name", true, ladder->name, sizeof ladder->name, r->e) ||
         read_lists(r, node, "set", true, &lists))
         return r->e->status;

@@ -1,0 +1,18 @@
+/* Numbers as reports say them. */
+#ifndef STUDY_TEXT_H
+#define STUDY_TEXT_H
+
+#include <stddef.h>
+
+extern const char text_none[]; /* where there is no number */
+
+/* Four digits; counts below a hundred million whole. */
+void text_number(double value, char *out, size_t size);
+
+/* Three digits and the unit: "1.23 %" of 0.0123, "0.0012 m". */
+void text_error(double value, const char *unit, char *out, size_t size);
+
+/* How many of the unit a value of 1 is: 100 percents, else 1. */
+double text_scale(const char *unit);
+
+#endif
