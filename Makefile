@@ -55,7 +55,7 @@ SHADERS  := $(wildcard shaders/*)
 SHADER_H := $(SHADERS:shaders/%=$(BUILD)/gen/shaders/%.h)
 TESTS_C  := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/t*.c))
 
-.PHONY: all movie test run-tests validate bench info install clean FORCE
+.PHONY: all movie test run-tests validate study bench info install clean FORCE
 .SECONDARY: $(SHADER_H)
 all: $(PROGRAM)
 
@@ -108,7 +108,16 @@ run-tests: all $(TESTS_C)
 	@BUILD=$(BUILD) CC='$(CC)' tests/run
 
 validate: all
-	SPH=$(PROGRAM) PYTHONDONTWRITEBYTECODE=1 python3 tests/validate.py
+	@mkdir -p out
+	$(PROGRAM) study studies/validation/*.json -o out/validation
+
+# The figures and tables of the README, within half an hour.
+study: all
+	@tools/install-deps study
+	@mkdir -p out
+	$(PROGRAM) study studies/validation/*.json -o out/validation --budget 16m
+	$(PROGRAM) study studies/settings/*.json -o out/settings --budget 8m
+	$(PROGRAM) study studies/seeds/*.json -o out/seeds --budget 4m
 
 bench: all
 	$(PROGRAM) bench scenes/bench/*.json scenes/seeds/*.json

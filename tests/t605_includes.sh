@@ -46,7 +46,7 @@ only render base scene particles
 only particles base scene
 only grid base particles
 only solver base scene particles
-only study base scene run
+only study base scene particles run
 
 grep -rnwE '_?exit *\(|quick_exit *\(|abort *\(' src --include='*.[ch]' |
     grep -vE '^src/main\.c:|/\*.*exit.*\*/|_exit\(STATUS_INTERRUPTED\)' >"$work/out"

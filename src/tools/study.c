@@ -5,6 +5,7 @@
 #include "study/products.h"
 #include "study/record.h"
 #include "study/schedule.h"
+#include "study/summary.h"
 #include "tools/tools.h"
 
 #include <argp.h>
@@ -199,6 +200,15 @@ static void job_close(struct job *job)
     study_free(&job->study);
 }
 
+static enum status summarize(const struct request *r, struct job *jobs, struct error *e)
+{
+    struct study_results all[STUDIES_MAX];
+    for (size_t k = 0; k < r->count; k++)
+        all[k] = (struct study_results){&jobs[k].study, &jobs[k].points, &jobs[k].about,
+                                        jobs[k].directory};
+    return study_summary(all, r->count, r->directory, e);
+}
+
 /* All are read before anything is run or written; those that are left share the budget that is. */
 static enum status run_all(const struct request *r, struct job *jobs, struct error *e)
 {
@@ -213,7 +223,7 @@ static enum status run_all(const struct request *r, struct job *jobs, struct err
             work(&jobs[k], left / (double)(r->count - k), e))
             return e->status;
     }
-    return STATUS_OK;
+    return r->count > 1 ? summarize(r, jobs, e) : STATUS_OK;
 }
 
 static char *join(int argc, char **argv)
