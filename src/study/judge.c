@@ -28,6 +28,21 @@ static double largest(const struct columns *c, const char *name)
     return most;
 }
 
+/* How far beyond a face of the domain a particle was; periodic faces have none beyond. */
+static double largest_leak(const struct scene *scene, const struct columns *c)
+{
+    double leak = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        char name[] = "kept-extent.x.min", other[] = "kept-extent.x.max";
+        name[12] = other[12] = (char)('x' + axis);
+        const double *low = columns_find(c, name), *high = columns_find(c, other);
+        for (size_t k = 0; low && high && k < c->rows; k++)
+            leak = fmax(leak, fmax(scene->domain.min[axis] - low[k],
+                                   high[k] - scene->domain.max[axis]));
+    }
+    return leak;
+}
+
 /* Whether nothing outside pushes the fluid. */
 static bool is_free(const struct scene *scene)
 {
@@ -45,6 +60,7 @@ static void judge_conservation(struct study_point *point, const struct columns *
     double kinetic = largest(c, "kept-energy.kinetic"), squares = 0, mass = 0;
     double scale = fmax(kinetic, fabs(drift(c, "kept-energy.potential", 1)));
     point->energy_drift = drift(c, "kept-energy.total", scale);
+    point->leak = largest_leak(point->scene, c);
     for (size_t k = 0; k < point->scene->fluid_count; k++)
         mass = fmax(mass, point->scene->fluids[k].density);
     mass *= point->particles * pow(point->scene->particles.spacing, 3);

@@ -10,9 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Besides what errors need: conservation, of every run. */
+/* Besides what errors need, of every run: conservation, and whether the box leaks. */
 static const char kept[] = "{\"quantity\": \"energy\", \"name\": \"kept-energy\"}, "
-                           "{\"quantity\": \"momentum\", \"name\": \"kept-momentum\"}";
+                           "{\"quantity\": \"momentum\", \"name\": \"kept-momentum\"}, "
+                           "{\"quantity\": \"extent\", \"name\": \"kept-extent\"}";
 
 /* A small picture of the last state. */
 static const char picture[] = "[480, 270]";

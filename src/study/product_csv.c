@@ -27,7 +27,7 @@ static void write_names(const struct study_points *points, FILE *out)
 {
     fputs("ladder,method,key,value,outcome,cause,particles,spacing (m),threads,isa,repeats,"
           "wall (s),wall median (s),processor (s),ns a particle and step,pairs,steps,rejected,mean step (s),iterations a step,"
-          "bytes,energy drift,momentum drift,state,folder", out);
+          "bytes,energy drift,momentum drift,leak (m),state,folder", out);
     for (size_t k = 0; k < points->count; k++)
         if (points->items[k].errors.count) {
             for (size_t i = 0; i < points->items[k].errors.count; i++) {
@@ -58,7 +58,7 @@ static void write_point(const struct study_point *p, FILE *out)
     const double numbers[] = {study_wall(p), study_wall_median(p), study_cpu(p),
                               study_wall(p) * 1e9 / p->steps / p->particles, p->pairs,
                               p->steps, p->rejected, p->dt, p->iterations, p->bytes,
-                              p->energy_drift, p->momentum_drift};
+                              p->energy_drift, p->momentum_drift, p->leak};
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
         write_number(ran ? numbers[k] : (double)NAN, out);
     fprintf(out, ",%s,%s", p->hash, p->folder);

@@ -75,6 +75,7 @@ static void write_point(const struct study_points *points, const struct study_po
         write_number("bytes", p->bytes, out);
         write_number("energy_drift", p->energy_drift, out);
         write_number("momentum_drift", p->momentum_drift, out);
+        write_number("leak", p->leak, out);
     }
     write_number("order", study_order(points, p, plot), out);
     fprintf(out, "\"front\": %s, ", study_is_front(points, p, plot, study_wall) ? "true" : "false");

@@ -119,6 +119,7 @@ struct study_point {
     double wall[STUDY_REPEATS_MAX], cpu[STUDY_REPEATS_MAX]; /* s, of solving; of the process */
     double particles, steps, rejected, dt, pairs, iterations, bytes; /* dt: mean, s; iterations: a step */
     double energy_drift, momentum_drift; /* parts; NAN: not measured, or not kept by nature */
+    double leak;                  /* m that a particle was outside of the domain at a row, at most */
     char hash[17];                /* of the last state */
     struct study_errors errors;
 };
