@@ -1,5 +1,6 @@
 /* Labels beside marks and numbers along axes of a figure. */
 #include "study/figure.h"
+#include "study/text.h"
 
 #include <math.h>
 #include <string.h>
@@ -32,7 +33,9 @@ static struct box mark_box(const struct figure_view *view, size_t k)
 static struct box label_box(const struct figure_view *view, size_t k, enum label_side side)
 {
     const struct study_point *point = view->marks[k].point;
-    double width = LETTER_WIDTH * (double)strlen(point->ladder->labels[point->rung]);
+    char text[32];
+    text_value(point->ladder->labels[point->rung], text, sizeof text);
+    double width = LETTER_WIDTH * (double)strlen(text);
     double x = figure_part(&view->x, view->marks[k].x), y = figure_part(&view->y, view->marks[k].y);
     double dx = (MARK_SIZE + width) / 2 + 0.008, dy = (MARK_SIZE + LETTER_HEIGHT) / 2;
     x += side == LABEL_RIGHT ? dx : side == LABEL_LEFT ? -dx : 0;
@@ -140,7 +143,9 @@ static void value_tics(const struct figure *figure, const struct figure_axis *ax
 {
     for (size_t k = 0; k < figure->ladder->count; k++) {
         fputs(", '", out);
-        for (const char *c = figure->ladder->labels[k]; *c; c++)
+        char text[32];
+        text_value(figure->ladder->labels[k], text, sizeof text);
+        for (const char *c = text; *c; c++)
             fputs(*c == '\'' ? "''" : *c == '{' || *c == '}' || *c == '_' ? " " : (char[]){*c, 0}, out);
         if (axis->rungs)
             fprintf(out, "' %zu", k + 1);

@@ -130,7 +130,8 @@ static void write_labels(struct script *s, const enum label_side *sides)
     for (size_t k = 0; k < s->view->count; k++) {
         const struct figure_mark *mark = &s->view->marks[k];
         size_t place = method_place(s, mark->point);
-        const char *text = mark->point->ladder->labels[mark->point->rung];
+        char text[32];
+        text_value(mark->point->ladder->labels[mark->point->rung], text, sizeof text);
         if (sides[k] == LABEL_NONE || !text[0] || s->figure->kind == FIGURE_VALUE)
             continue;
         fprintf(s->out, "set label ");
@@ -208,7 +209,7 @@ static void plot_methods(struct script *s)
         for (size_t k = 0; k < s->view->count; k++)
             has_block = has_block || (method_place(s, s->view->marks[k].point) == m &&
                                       !s->view->marks[k].failed);
-        snprintf(style, sizeof style, "linespoints linewidth 4 pointtype %d pointsize 2.6 linecolor "
+        snprintf(style, sizeof style, "linespoints linewidth 4 pointtype %d pointsize mark linecolor "
                  "rgb '%s'", method_shape(m), method_color(m));
         if (has_block) {
             begin_entry(s);
@@ -220,7 +221,7 @@ static void plot_methods(struct script *s)
     }
     if (s->figure->kind != FIGURE_VALUE && block) {
         begin_entry(s);
-        fprintf(s->out, "data index %zu using 1:2 with linespoints linewidth 2 pointtype 6 pointsize 4.6 "
+        fprintf(s->out, "data index %zu using 1:2 with linespoints linewidth 2 pointtype 6 pointsize ring "
                         "linecolor rgb '#777777'", block);
         write_title(s, s->figure->kind == FIGURE_PAIRS ? "front: none errs less with fewer pairs"
                                                        : "front: none errs less in less time");
@@ -256,11 +257,11 @@ static void plot_failures(struct script *s)
         if (!mark->failed)
             continue;
         begin_entry(s);
-        fprintf(s->out, "'+' every ::0::0 using (%.9g):(%.9g) with points pointtype 2 pointsize 2.6 "
+        fprintf(s->out, "'+' every ::0::0 using (%.9g):(%.9g) with points pointtype 2 pointsize mark "
                         "linewidth 6 linecolor rgb '%s' notitle",
                 mark->x, mark->y, method_color(method_place(s, mark->point)));
         if (!said)
-            say_in_key(s, "points pointtype 2 pointsize 2.6 linewidth 6 linecolor rgb '#444444'",
+            say_in_key(s, "points pointtype 2 pointsize mark linewidth 6 linecolor rgb '#444444'",
                        "stopped, late or crashed: no error");
         said = true;
     }
@@ -305,10 +306,10 @@ static void write_script(struct script *s, const enum label_side *sides)
     write_limits(s);
     write_labels(s, sides);
     fprintf(s->out, "set terminal pngcairo size width, height font 'sans,24' rounded\n"
-                    "set output '%s.png'\n", stem);
+                    "set output '%s.png'\nmark = 2.6; ring = 4.6\n", stem);
     plot_all(s);
-    fprintf(s->out, "set terminal svg size width, height font 'sans,32' rounded background '#ffffff'\n"
-                    "set output '%s.svg'\nreplot\nunset output\n", stem);
+    fprintf(s->out, "set terminal svg size 0.75 * width, 0.75 * height font 'sans,24' rounded background "
+                    "'#ffffff'\nset output '%s.svg'\nmark = 0.85; ring = 1.5\nreplot\nunset output\n", stem);
 }
 
 enum status plot_script(const struct study_results *results, const struct figure *figure,

@@ -3,12 +3,14 @@
 
 #include <string.h>
 
-extern const struct product_row product_csv, product_json, product_plots;
+extern const struct product_row product_csv, product_json, product_plots, product_report, product_page;
 
 static const struct variant *const rows[] = {
     &product_csv.variant,
     &product_json.variant,
     &product_plots.variant,
+    &product_report.variant, /* after the figures that they show */
+    &product_page.variant,
 };
 
 const struct variant_table product_table = {"products", "what a study leaves in its directory", rows,

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 const char text_none[] = "–";
@@ -28,4 +29,14 @@ void text_error(double value, const char *unit, char *out, size_t size)
         snprintf(out, size, "%s", text_none);
     else
         snprintf(out, size, "%.3g%s%s", value * text_scale(unit), unit[0] ? " " : "", unit);
+}
+
+void text_value(const char *value, char *out, size_t size)
+{
+    char *end;
+    double number = strtod(value, &end);
+    if (end == value || *end)
+        snprintf(out, size, "%s", value);
+    else
+        snprintf(out, size, "%.4g", number);
 }

@@ -12,6 +12,9 @@ void text_number(double value, char *out, size_t size);
 /* Three digits and the unit: "1.23 %" of 0.0123, "0.0012 m". */
 void text_error(double value, const char *unit, char *out, size_t size);
 
+/* A rung's value, of a number four digits. */
+void text_value(const char *value, char *out, size_t size);
+
 /* How many of the unit a value of 1 is: 100 percents, else 1. */
 double text_scale(const char *unit);
 
