@@ -1,7 +1,7 @@
 /* sph-render study: error against run time over methods and ladders of settings. */
 #include "base/log.h"
 #include "base/output.h"
-#include "study/products.h"
+#include "study/map.h"
 #include "study/record.h"
 #include "study/schedule.h"
 #include "tools/tools.h"
@@ -22,6 +22,7 @@ struct request {
     size_t count;
     double budget; /* s */
     int repeats;   /* 0: the study's */
+    bool stability; /* the studies are stability maps */
     char *command;
 };
 
@@ -51,6 +52,7 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
             argp_error(state, "--repeats %s: give a whole number from 1 to %d", value,
                        STUDY_REPEATS_MAX);
         return 0;
+    case 'm': r->stability = true; return 0;
     case 'q': log_set_level(LOG_ERROR); return 0;
     case ARGP_KEY_ARG:
         if (r->count == STUDIES_MAX)
@@ -70,6 +72,7 @@ static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "Directory of the results; what it has already is not run again", 0},
     {"budget", 'b', "TIME", 0, "Leave out what does not fit in this time: 20m, 90s, 1.5h", 0},
     {"repeats", 'r', "N", 0, "Runs of each point (default: the study's, 3)", 0},
+    {"stability", 'm', NULL, 0, "The studies are stability maps (\"map\"): what becomes of each cell", 0},
     {"quiet", 'q', NULL, 0, "No progress, no messages but errors", 0},
     {0}};
 
@@ -121,6 +124,27 @@ static enum status check_plots(const struct study *study, const struct study_poi
     return STATUS_OK;
 }
 
+static enum status write_map(const struct study_results *results, struct error *e)
+{
+    struct map map;
+    bool drawn;
+    if (map_make(&map, results, e) == STATUS_OK && map_write(&map, results, e) == STATUS_OK)
+        map_plot(&map, results->directory, &drawn, e);
+    map_free(&map);
+    return e->status;
+}
+
+/* Whether the file is of the kind that was asked for. */
+static enum status check_kind(const struct request *r, const struct study *study, struct error *e)
+{
+    if (study->is_map == r->stability)
+        return STATUS_OK;
+    return error_set(e, STATUS_USAGE, r->stability
+                     ? "%s: --stability, but the study has no \"map\"; leave the option out, or give the "
+                       "key instead of \"ladders\""
+                     : "%s: this is a stability map; add --stability", study->path);
+}
+
 static enum status work(const struct request *r, const struct study *study,
                         struct study_points *points, const char *directory, double budget,
                         struct error *e)
@@ -134,6 +158,8 @@ static enum status work(const struct request *r, const struct study *study,
     if (study_run(study, points, directory, budget, e) || judge(study, points, directory, e))
         return e->status;
     about.speed[1] = machine_speed();
+    if (study->is_map)
+        return write_map(&results, e);
     if (study_write(&results, e))
         return e->status;
     return check_plots(study, points, e);
@@ -145,7 +171,7 @@ static enum status run_study(const struct request *r, const char *path, const ch
     struct study study;
     struct study_points points = {0};
     struct output_claim claim = {NULL, -1};
-    if (study_read(&study, path, e) == STATUS_OK) {
+    if (study_read(&study, path, e) == STATUS_OK && check_kind(r, &study, e) == STATUS_OK) {
         if (r->repeats)
             study.repeats = r->repeats;
         if (study_points_create(&points, &study, e) == STATUS_OK &&
