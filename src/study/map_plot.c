@@ -15,7 +15,7 @@
 extern char **environ;
 
 /* Of the figure in pixels: 600 are a column of 85 mm at 180 a inch. */
-enum { WIDTH = 600, LEFT = 84, RIGHT = 12, TOP = 96, TITLE = 22, CELL = 30, BOTTOM = 58 };
+enum { WIDTH = 600, LEFT = 84, RIGHT = 12, TOP = 58, TITLE = 22, CELL = 30, BOTTOM = 58 };
 
 /* Curves that tell apart in grey, by enum limit. */
 static const struct curve {
@@ -74,12 +74,13 @@ static void write_mark(const struct map_cell *cell, FILE *out)
 static void write_data(const struct map *map, FILE *out)
 {
     size_t cells = map->columns * map->rows;
-    fputs("# column row colour mark\n", out);
+    fputs("# column, row, colours of cell and mark, mark\n", out);
     for (size_t k = 0; k < map->count; k++) {
         const struct map_cell *cell = &map->cells[k];
         if (k > 0 && k % cells == 0)
             fputs("\n\n", out);
-        fprintf(out, "%zu %zu 0x%s ", cell->x, cell->y, cell_looks[cell->kind].color + 1);
+        fprintf(out, "%zu %zu 0x%s %s ", cell->x, cell->y, cell_looks[cell->kind].color + 1,
+                cell->kind == CELL_WRONG ? "0xFFFFFF" : "0x000000");
         write_mark(cell, out);
         fputc('\n', out);
     }
@@ -157,14 +158,14 @@ static void write_panel(const struct map *map, size_t method, double height, FIL
         write_tics(&map->study->map[0], "x", out);
         write_text("set xlabel ", map->study->map[0].name, "\n", out);
     }
-    fputs(method == 0 ? "set key at screen 0.5, 0.995 center top horizontal samplen 2 width 0 maxcols 4\n"
+    fputs(method == 0 ? "set key at screen 0.5, 0.995 center top horizontal samplen 4 maxcols 3 maxrows 3\n"
                       : "unset key\n", out);
     fprintf(out, "plot 'stability.dat' index %zu using 1:2:(0.47):(0.44):3 with boxxyerror fs solid 1 "
                  "noborder lc rgb variable notitle", method);
     for (int k = 0; k < CURVES && has_curves(map); k++)
         if (is_seen(map, curves[k].limit))
             write_curve(methods + method * CURVES + (size_t)k, &curves[k], out);
-    fprintf(out, ", \\\n  'stability.dat' index %zu using 1:2:4 with labels notitle", method);
+    fprintf(out, ", \\\n  'stability.dat' index %zu using 1:2:5:4 with labels tc rgb variable notitle", method);
     if (method == 0)
         write_key(map, out);
     fputs("\n", out);

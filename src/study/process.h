@@ -20,4 +20,7 @@ enum status process_run(const char *const *argv, const char *log, double limit,
 /* From now on SIGINT, SIGTERM and SIGHUP stop the present child, and process_run with it. */
 void process_catch_signals(void);
 
+/* Whether such a signal came. */
+bool process_interrupted(void);
+
 #endif
