@@ -23,8 +23,7 @@ const char *const limit_words[LIMIT_COUNT] = {
 };
 
 const char *const limit_formulas[LIMIT_COUNT] = {
-    [LIMIT_ACOUSTIC] = "C h/(c + v), c the fastest speed of sound, v the fastest flow, h half the support "
-                       "(wcsph, muller)",
+    [LIMIT_ACOUSTIC] = "C h/(c + v), c the fastest sound, h half the support (wcsph, muller)",
     [LIMIT_SPEED] = "0.4 C d/(v + what gravity adds in the step) (isph, dfsph); 0.4 d/v (wcsph, muller)",
     [LIMIT_FORCE] = "0.1 sqrt(d/g) (isph, dfsph); 0.25 sqrt(h/a), a the largest acceleration (wcsph, muller)",
     [LIMIT_VISCOUS] = "h^2 rho/(8 mu), half of it with wcsph and muller, 0.6 of it with isph and weiler",
