@@ -15,7 +15,7 @@
 extern char **environ;
 
 /* Of the figure in pixels: 600 are a column of 85 mm at 180 a inch. */
-enum { WIDTH = 600, LEFT = 84, RIGHT = 12, TOP = 58, TITLE = 22, CELL = 30, BOTTOM = 58 };
+enum { WIDTH = 600, LEFT = 100, RIGHT = 12, TOP = 58, TITLE = 22, CELL = 30, BOTTOM = 58 };
 
 /* Curves that tell apart in grey, by enum limit. */
 static const struct curve {
@@ -74,7 +74,7 @@ static void write_mark(const struct map_cell *cell, FILE *out)
 static void write_data(const struct map *map, FILE *out)
 {
     size_t cells = map->columns * map->rows;
-    fputs("# column, row, colours of cell and mark, mark\n", out);
+    fputs("# column, row, colours of cell and mark, mark, kind\n", out);
     for (size_t k = 0; k < map->count; k++) {
         const struct map_cell *cell = &map->cells[k];
         if (k > 0 && k % cells == 0)
@@ -82,7 +82,7 @@ static void write_data(const struct map *map, FILE *out)
         fprintf(out, "%zu %zu 0x%s %s ", cell->x, cell->y, cell_looks[cell->kind].color + 1,
                 cell->kind == CELL_WRONG ? "0xFFFFFF" : "0x000000");
         write_mark(cell, out);
-        fputc('\n', out);
+        fprintf(out, " %d\n", cell->kind);
     }
     for (size_t m = 0; m < map->study->method_count; m++)
         for (int k = 0; k < CURVES; k++) {
@@ -165,10 +165,12 @@ static void write_panel(const struct map *map, size_t method, double height, FIL
     for (int k = 0; k < CURVES && has_curves(map); k++)
         if (is_seen(map, curves[k].limit))
             write_curve(methods + method * CURVES + (size_t)k, &curves[k], out);
-    fprintf(out, ", \\\n  'stability.dat' index %zu using 1:2:5:4 with labels tc rgb variable notitle", method);
+    fprintf(out, ", \\\n  'stability.dat' index %zu using 1:($6 == %d ? 1/0 : $2):5:4 with labels tc rgb variable "
+                 "notitle, \\\n  '' index %zu using 1:($6 == %d ? $2 : 1/0):5 with labels boxed notitle",
+            method, CELL_SHORTENED, method, CELL_SHORTENED);
     if (method == 0)
         write_key(map, out);
-    fputs("\n", out);
+    fputs("\nunset label 2\n", out);
 }
 
 static void write_script(const struct map *map, FILE *out)
@@ -182,13 +184,15 @@ static void write_script(const struct map *map, FILE *out)
     for (int k = 0; k < 2; k++) {
         fprintf(out, "set terminal %s size %d, %.0f font 'sans,%d' background rgb 'white' noenhanced\n", terminals[k],
                 WIDTH, height, k ? 13 : 10);
-        fprintf(out, "set output 'stability.%s'\nset multiplot\nset border 0\n", names[k]);
+        fprintf(out, "set output 'stability.%s'\nset multiplot\nset border 0\n"
+                     "set style textbox opaque fillcolor rgb '%s' noborder margins 0.5, 0.2\n",
+                names[k], cell_looks[CELL_SHORTENED].color);
         fprintf(out, "set lmargin at screen %.5f\nset rmargin at screen %.5f\n",
                 (double)LEFT / WIDTH, 1 - (double)RIGHT / WIDTH);
         fprintf(out, "set xrange [-0.5:%zu.5]\nset yrange [-0.5:%zu.5]\n",
                 map->columns - 1, map->rows - 1);
-        write_text("set ylabel ", axes[1].name, "\n", out);
-        fputs("unset xlabel\nset format x ''\nset xtics scale 0 format ''\n", out);
+        write_text("set label 2 ", axes[1].name, " at screen 0.025, screen 0.5 rotate by 90 center\n", out);
+        fputs("unset xlabel\nunset ylabel\nset format x ''\nset xtics scale 0 format ''\n", out);
         write_tics(&axes[1], "y", out);
         for (size_t m = 0; m < methods; m++)
             write_panel(map, m, height, out);
