@@ -1,6 +1,8 @@
 /* Computes what limits the time step. */
 #include "run/limits.h"
 
+#include "run/simulation.h"
+
 #include <math.h>
 
 const char *const limit_names[LIMIT_COUNT] = {
@@ -12,6 +14,21 @@ const char *const limit_names[LIMIT_COUNT] = {
     [LIMIT_DAMPING] = "damping limit (1/dissipation)",
     [LIMIT_GROWTH] = "growth limit (a tenth more than the last step)",
     [LIMIT_USER] = "scene's time.step",
+};
+
+const char *const limit_words[LIMIT_COUNT] = {
+    [LIMIT_ACOUSTIC] = "acoustic", [LIMIT_SPEED] = "speed",         [LIMIT_FORCE] = "force",
+    [LIMIT_VISCOUS] = "viscous",   [LIMIT_CAPILLARY] = "capillary", [LIMIT_DAMPING] = "damping",
+    [LIMIT_GROWTH] = "growth",     [LIMIT_USER] = "user",
+};
+
+const char *const limit_formulas[LIMIT_COUNT] = {
+    [LIMIT_ACOUSTIC] = "C h/(c + v), c the fastest sound, h half the support (wcsph, muller)",
+    [LIMIT_SPEED] = "0.4 C d/(v + what gravity adds in the step) (isph, dfsph); 0.4 d/v (wcsph, muller)",
+    [LIMIT_FORCE] = "0.1 sqrt(d/g) (isph, dfsph); 0.25 sqrt(h/a), a the largest acceleration (wcsph, muller)",
+    [LIMIT_VISCOUS] = "h^2 rho/(8 mu), half of it with wcsph and muller, 0.6 of it with isph and weiler",
+    [LIMIT_CAPILLARY] = "sqrt(rho h^3/(2 pi sigma))/4",
+    [LIMIT_DAMPING] = "1/(2 dissipation)",
 };
 
 /* The step in which gravity and the present speed move a particle by cfl 0.4 d (Bender & Koschier

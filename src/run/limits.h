@@ -2,7 +2,7 @@
 #ifndef RUN_LIMITS_H
 #define RUN_LIMITS_H
 
-#include "run/simulation.h"
+struct simulation;
 
 enum limit {
     LIMIT_ACOUSTIC, /* sound and flow cross a part of h */
@@ -16,8 +16,12 @@ enum limit {
     LIMIT_COUNT
 };
 
-/* "the viscous limit (h^2 rho/mu)" */
+/* "viscous limit (h^2 rho/mu)"; and the one word of reports, "viscous" */
 extern const char *const limit_names[LIMIT_COUNT];
+extern const char *const limit_words[LIMIT_COUNT];
+
+/* How each is computed, for a person; NULL: no law of physics. C: time.cfl or the method's. */
+extern const char *const limit_formulas[LIMIT_COUNT];
 
 /* All limits, s; INFINITY where one does not apply. */
 void limits_now(const struct simulation *s, double limit[LIMIT_COUNT]);

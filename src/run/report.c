@@ -73,6 +73,29 @@ static void write_solves(FILE *f, const struct simulation *s)
     fputs("},\n", f);
 }
 
+/* The limits of the time step at the start, and how many steps each of them bound. */
+static void write_limits(FILE *f, const struct simulation *s)
+{
+    const struct solver_choice *c = &s->plan->choice;
+    const char *comma = "";
+    fputs("  \"limits\": {", f);
+    for (int k = 0; k < LIMIT_COUNT; k++)
+        if (isfinite(s->stats.limits[k])) {
+            fprintf(f, "%s\"%s\": %.9g", comma, limit_words[k], s->stats.limits[k]);
+            comma = ", ";
+        }
+    if (c->implicit_viscosity) /* what it would be by explicit steps */
+        fprintf(f, "%s\"explicit_viscous\": %.9g", comma, c->viscous_step);
+    fputs("},\n  \"bound\": {", f);
+    comma = "";
+    for (int k = 0; k < LIMIT_COUNT; k++)
+        if (s->stats.bound[k]) {
+            fprintf(f, "%s\"%s\": %ld", comma, limit_words[k], s->stats.bound[k]);
+            comma = ", ";
+        }
+    fputs("},\n", f);
+}
+
 /* "done", or the message of what ended the run early. */
 static void write_end(FILE *f, const struct error *end)
 {
@@ -100,6 +123,8 @@ static void write_body(FILE *f, const struct report *r, struct simulation *s)
     if (steps > 0 && n > 0)
         fprintf(f, "  \"dt\": {\"min\": %.9g, \"mean\": %.9g, \"max\": %.9g},\n", s->stats.dt_min,
                 s->stats.dt_sum / steps, s->stats.dt_max);
+    if (n > 0)
+        write_limits(f, s);
     if (n > 0)
         fprintf(f, "  \"sound_speed\": %.9g,\n", s->plan->choice.sound_speed);
     fprintf(f, "  \"pairs\": %.0f,\n", counts->pairs);

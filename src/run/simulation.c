@@ -4,19 +4,18 @@
 #include "base/log.h"
 #include "particles/start.h"
 #include "run/give_up.h"
-#include "run/limits.h"
 #include "run/step.h"
 
 #include <math.h>
 
 enum { HALVINGS_MAX = 12 };
 
-/* The largest step that every limit allows from the present state, s. */
-static double natural_step(const struct simulation *s)
+/* The largest step that every limit allows from the present state, s; *which is the least of them. */
+static double natural_step(const struct simulation *s, enum limit *which)
 {
     double limit[LIMIT_COUNT];
     limits_now(s, limit);
-    return limits_least(limit, LIMITS_ALL, NULL);
+    return limits_least(limit, LIMITS_ALL, which);
 }
 
 /* How far any particle can move in a step of dt from the present state, m. */
@@ -82,7 +81,8 @@ static enum status accept(struct simulation *s, double dt, double limit, bool la
 
 enum status simulation_step(struct simulation *s, double target, struct error *e)
 {
-    double limit = natural_step(s), left = target - s->time, most = limit;
+    enum limit which;
+    double limit = natural_step(s, &which), left = target - s->time, most = limit;
     if (strict_check(s, INFINITY, 0, e))
         return e->status;
     for (int halvings = 0; halvings <= HALVINGS_MAX; halvings++) {
@@ -91,8 +91,10 @@ enum status simulation_step(struct simulation *s, double target, struct error *e
         uint32_t bad = UINT32_MAX;
         if (keep_rows(s, dt, e) || step_try(s, dt, halvings > 0, &bad, e))
             return e->status;
-        if (bad == UINT32_MAX)
+        if (bad == UINT32_MAX) {
+            s->stats.bound[which]++;
             return accept(s, dt, most, parts <= 1, target, e);
+        }
         log_detail("t = %.6g s: step of %.3g s rejected (particle %u)", s->time, dt, bad);
         if (strict_check(s, dt, bad, e))
             return e->status;
@@ -123,7 +125,7 @@ static enum status first_forces(struct simulation *s, struct error *e)
         }
         return STATUS_OK;
     }
-    s->last_dt = natural_step(s);
+    s->last_dt = natural_step(s, NULL);
     if (keep_rows(s, 0, e) ||
         (s->plan->choice.continuity && step_pass(s, PASS_PRESSURE, &step, e)) ||
         step_forces(s, &step, e) || step_pass(s, PASS_CORRECT, &step, e))
@@ -157,7 +159,8 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
     if (first_forces(s, e))
         goto failed;
     s->last_dt = INFINITY;
-    s->last_dt = natural_step(s);
+    limits_now(s, s->stats.limits);
+    s->last_dt = natural_step(s, NULL);
     s->least_dt = 1e-4 * s->last_dt;
     s->allowance = 0; /* rows for the first real step */
     if (!strict_check(s, INFINITY, 0, e))

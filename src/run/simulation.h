@@ -2,6 +2,7 @@
 #ifndef RUN_SIMULATION_H
 #define RUN_SIMULATION_H
 
+#include "run/limits.h"
 #include "run/plan.h"
 
 /* Work of an implicit solve so far. */
@@ -27,6 +28,8 @@ struct simulation {
         long steps, rejected, sorts;
         double dt_min, dt_max, dt_sum; /* s */
         struct solve_stats solves[SOLVE_COUNT];  /* by enum solve */
+        double limits[LIMIT_COUNT]; /* at the start, s */
+        long bound[LIMIT_COUNT];    /* steps, by the limit that was least */
     } stats;
 };
 

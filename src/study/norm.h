@@ -18,6 +18,9 @@ double norm_l1(const double *values, const double *exact, size_t count);  /* sum
 double norm_l2(const double *values, const double *exact, size_t count);  /* sqrt(sum e^2 / sum x^2) */
 double norm_max(const double *values, const double *exact, size_t count); /* max |e| / max |x| */
 
+/* max (e, 0) / max |x|: how far values rise above the reference; what falls is no error */
+double norm_rise(const double *values, const double *exact, size_t count);
+
 /* e / x of the last value, with its sign; e where x is 0. */
 double norm_final(const double *values, const double *exact, size_t count);
 

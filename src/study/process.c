@@ -31,6 +31,11 @@ void process_catch_signals(void)
         sigaction(numbers[k], &action, NULL);
 }
 
+bool process_interrupted(void)
+{
+    return interrupted;
+}
+
 /* In the child. It gets no signal of the terminal's, so that what it wrote is whole or absent as we
  * say, and ends when we do. */
 static void become(const char *const *argv, const char *directory, int log)

@@ -27,4 +27,7 @@ enum status process_run_other(const char *const *argv, const char *directory, co
 /* From now on SIGINT, SIGTERM and SIGHUP stop the present child, and process_run with it. */
 void process_catch_signals(void);
 
+/* Whether such a signal came. */
+bool process_interrupted(void);
+
 #endif

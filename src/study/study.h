@@ -84,6 +84,8 @@ struct study {
     size_t method_count;
     struct study_ladder *ladders;
     size_t ladder_count;
+    struct study_ladder map[2];   /* x and y of a stability map; then there is one ladder, of its cells, */
+    bool is_map;                  /* rung y * map[0].count + x */
     int repeats;                  /* runs of each point, but for those longer than REPEAT_LONGEST */
     double limit;                 /* s, of one run; INFINITY */
 };

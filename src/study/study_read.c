@@ -216,17 +216,65 @@ static enum status read_ladder(struct reading *r, int node, struct study_ladder 
     return fill_rungs(r, &lists, ladder);
 }
 
+/* The cell's settings are those of its column and row. */
+static enum status fill_cells(struct reading *r, const struct study_ladder *x,
+                              const struct study_ladder *y, struct study_ladder *cells)
+{
+    strcpy(cells->name, "map");
+    snprintf(cells->key, sizeof cells->key, "%.60s, %.60s", x->key, y->key);
+    size_t count = x->count * y->count;
+    cells->rungs = calloc(count, sizeof *cells->rungs);
+    cells->labels = calloc(count, sizeof *cells->labels);
+    if (!cells->rungs || !cells->labels)
+        return memory_short(r);
+    cells->count = count;
+    for (size_t k = 0; k < count; k++) {
+        size_t column = k % x->count, row = k / x->count;
+        snprintf(cells->labels[k], sizeof *cells->labels, "%.14s, %.14s", x->labels[column],
+                 y->labels[row]);
+        if (set_append(&cells->rungs[k], &x->rungs[column], r->e) ||
+            set_append(&cells->rungs[k], &y->rungs[row], r->e))
+            return r->e->status;
+    }
+    return STATUS_OK;
+}
+
+static enum status read_map(struct reading *r, int map)
+{
+    static const char *const names[] = {"x", "y"};
+    struct study *study = r->study;
+    int node;
+    bool bounded = study->known;
+    if (read_only(&r->doc, map, "x|y", r->e))
+        return r->e->status;
+    for (int k = 0; k < 2; k++)
+        if (read_member(&r->doc, map, names[k], JSON_OBJECT, true, &node, r->e) ||
+            read_ladder(r, node, &study->map[k]))
+            return r->e->status;
+    for (size_t k = 0; k < study->asked_count; k++)
+        bounded = bounded || !isnan(study->asked[k].asked);
+    if (!bounded)
+        return fail(r, 0, "no error has a bound \"asked\", so that nothing in the map could be wrong");
+    study->is_map = true;
+    return fill_cells(r, &study->map[0], &study->map[1], &study->ladders[study->ladder_count++]);
+}
+
 /* Without ladders every method has one point. */
 static enum status read_ladders(struct reading *r)
 {
     struct study *study = r->study;
-    int list;
-    if (read_member(&r->doc, 0, "ladders", JSON_ARRAY, false, &list, r->e))
+    int list, map;
+    if (read_member(&r->doc, 0, "ladders", JSON_ARRAY, false, &list, r->e) ||
+        read_member(&r->doc, 0, "map", JSON_OBJECT, false, &map, r->e))
         return r->e->status;
+    if (map >= 0 && list >= 0)
+        return fail(r, map, "give \"ladders\" or \"map\", not both");
     size_t count = list < 0 ? 1 : (size_t)r->doc.nodes[list].size;
     study->ladders = calloc(count + 1, sizeof *study->ladders);
     if (!study->ladders)
         return memory_short(r);
+    if (map >= 0)
+        return read_map(r, map);
     if (list < 0) {
         struct study_ladder *one = &study->ladders[study->ladder_count++];
         strcpy(one->name, "methods");
@@ -345,11 +393,9 @@ static enum status read_study(struct reading *r)
     struct study *study = r->study;
     const struct json *doc = &r->doc;
     const struct variant *known = NULL;
-    double repeats = 3;
-    if (doc->nodes[0].kind != JSON_OBJECT)
-        return fail(r, 0, "a study is an object");
+    double repeats = json_member(doc, 0, "map") < 0 ? 3 : 1;
     if (read_only(doc, 0, "title|scene|case|measure|interval|errors|plot|floor|set|reference|methods|"
-                          "ladders|repeats|limit", r->e) ||
+                          "ladders|map|repeats|limit", r->e) ||
         read_text(doc, 0, "title", true, study->title, sizeof study->title, r->e) ||
         read_path(r, 0, "scene", true, &study->scene) ||
         read_variant(doc, 0, "case", &case_table, &known, r->e) ||
@@ -377,21 +423,28 @@ enum status study_read(struct study *study, const char *path, struct error *e)
         return error_set(e, STATUS_RUN, "%s: memory is short", path);
     enum status status = json_read_file(&r.doc, path, e);
     if (!status)
-        status = read_study(&r);
+        status = r.doc.nodes[0].kind == JSON_OBJECT ? read_study(&r)
+                                                    : fail(&r, 0, "a study is an object");
     json_free(&r.doc);
     return status;
+}
+
+static void ladder_free(struct study_ladder *ladder)
+{
+    for (size_t rung = 0; rung < ladder->count; rung++)
+        set_free(&ladder->rungs[rung]);
+    free(ladder->rungs);
+    free(ladder->labels);
 }
 
 void study_free(struct study *study)
 {
     for (size_t k = 0; k < study->method_count; k++)
         set_free(&study->methods[k].set);
-    for (size_t k = 0; k < study->ladder_count; k++) {
-        for (size_t rung = 0; rung < study->ladders[k].count; rung++)
-            set_free(&study->ladders[k].rungs[rung]);
-        free(study->ladders[k].rungs);
-        free(study->ladders[k].labels);
-    }
+    for (size_t k = 0; k < study->ladder_count; k++)
+        ladder_free(&study->ladders[k]);
+    for (int k = 0; k < 2; k++)
+        ladder_free(&study->map[k]);
     for (size_t k = 0; k < study->asked_count; k++) {
         free(study->asked[k].formula);
         free(study->asked[k].path);

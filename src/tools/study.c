@@ -2,7 +2,8 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/output.h"
-#include "study/products.h"
+#include "study/ledger.h"
+#include "study/map.h"
 #include "study/record.h"
 #include "study/schedule.h"
 #include "study/summary.h"
@@ -26,6 +27,9 @@ struct request {
     size_t count;
     double budget; /* s */
     int repeats;   /* 0: the study's */
+    bool stability; /* the studies are stability maps */
+    bool ledger;    /* they are scenes, each for a ledger */
+    struct ledger_options scene; /* how */
     char *command;
 };
 
@@ -64,6 +68,23 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
             argp_error(state, "--repeats %s: give a whole number from 1 to %d", value,
                        STUDY_REPEATS_MAX);
         return 0;
+    case 'm': r->stability = true; return 0;
+    case 'l': r->ledger = true; return 0;
+    case 'n':
+        r->scene.steps = strtol(value, &end, 10);
+        if (*end || r->scene.steps < 1 || r->scene.steps > 1000000)
+            argp_error(state, "--steps %s: give a whole number from 1 to 1000000", value);
+        return 0;
+    case 't':
+        r->scene.threads = (int)strtol(value, &end, 10);
+        if (*end || r->scene.threads < 0 || r->scene.threads > 4096)
+            argp_error(state, "--threads %s: give a whole number from 0 (all) to 4096", value);
+        return 0;
+    case 's':
+        if (r->scene.set_count == LEDGER_SETS_MAX)
+            argp_error(state, "more than %d --set", LEDGER_SETS_MAX);
+        r->scene.sets[r->scene.set_count++] = value;
+        return 0;
     case 'q': log_set_level(LOG_ERROR); return 0;
     case ARGP_KEY_ARG:
         if (r->count == STUDIES_MAX)
@@ -71,6 +92,10 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
         r->studies[r->count++] = value;
         return 0;
     case ARGP_KEY_END:
+        if (r->ledger && (r->stability || isfinite(r->budget)))
+            argp_error(state, "--ledger goes with neither --stability nor --budget");
+        if (!r->ledger && (r->scene.set_count || r->scene.threads != 1 || r->scene.steps != 50))
+            argp_error(state, "--set, --steps and --threads are of --ledger; a study has \"set\"");
         if (!r->count || !r->directory)
             argp_error(state, "give a study and a directory, for example: sph-render study "
                               "studies/taylor-green.json -o out/taylor-green");
@@ -82,7 +107,12 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
 static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "Directory of the results; what it has already is not run again", 0},
     {"budget", 'b', "TIME", 0, "Leave out what does not fit in this time: 20m, 90s, 1.5h", 0},
-    {"repeats", 'r', "N", 0, "Runs of each point (default: the study's, 3)", 0},
+    {"repeats", 'r', "N", 0, "Runs of each point (default: the study's, 3; of a map 1, of --ledger 5)", 0},
+    {"stability", 'm', NULL, 0, "The studies are stability maps (\"map\"): what becomes of each cell", 0},
+    {"ledger", 'l', NULL, 0, "SCENE.json instead of a study: what each feature that it leaves out would cost", 0},
+    {"steps", 'n', "N", 0, "--ledger: steps of each run (default 50)", 0},
+    {"threads", 't', "N", 0, "--ledger: threads of each run (default 1; 0: one per processor)", 0},
+    {"set", 's', "KEY=VALUE", 0, "--ledger: change a key of the scene; may be given several times", 0},
     {"quiet", 'q', NULL, 0, "No progress, no messages but errors", 0},
     {0}};
 
@@ -134,17 +164,45 @@ static enum status check_plots(const struct study *study, const struct study_poi
     return STATUS_OK;
 }
 
+static void set_date(struct study_about *about)
+{
+    time_t now = time(NULL);
+    struct tm parts;
+    strftime(about->date, sizeof about->date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
+}
+
+static enum status write_map(const struct study_results *results, struct error *e)
+{
+    struct map map;
+    bool drawn;
+    if (map_make(&map, results, e) == STATUS_OK && map_write(&map, results, e) == STATUS_OK)
+        map_plot(&map, results->directory, &drawn, e);
+    map_free(&map);
+    return e->status;
+}
+
+/* Whether the file is of the kind that was asked for. */
+static enum status check_kind(const struct request *r, const struct study *study, struct error *e)
+{
+    if (study->is_map == r->stability)
+        return STATUS_OK;
+    return error_set(e, STATUS_USAGE, r->stability
+                     ? "%s: --stability, but the study has no \"map\"; leave the option out, or give the "
+                       "key instead of \"ladders\""
+                     : "%s: this is a stability map; add --stability", study->path);
+}
+
 static enum status work(struct job *job, double budget, struct error *e)
 {
     struct study_results results = {&job->study, &job->points, &job->about, job->directory};
-    time_t now = time(NULL);
-    struct tm parts;
-    strftime(job->about.date, sizeof job->about.date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
+    set_date(&job->about);
     job->about.speed[0] = machine_speed();
     if (study_run(&job->study, &job->points, job->directory, budget, e) ||
         judge(&job->study, &job->points, job->directory, e))
         return e->status;
     job->about.speed[1] = machine_speed();
+    if (job->study.is_map)
+        return write_map(&results, e);
     if (study_write(&results, e))
         return e->status;
     return check_plots(&job->study, &job->points, e);
@@ -168,6 +226,32 @@ static enum status make_directories(const char *path, struct error *e)
     return STATUS_OK;
 }
 
+/* Its table also to standard output; STATUS_RUN when an absence is not proved. */
+static enum status run_ledger(const struct request *r, const char *path, const char *directory,
+                              struct error *e)
+{
+    struct study_about about = {.command = r->command};
+    struct ledger_options how = r->scene;
+    struct output_claim claim = {NULL, -1};
+    struct ledger ledger = {0};
+    how.scene = path;
+    how.directory = directory;
+    how.repeats = r->repeats ? r->repeats : 5;
+    set_date(&about);
+    if (ledger_check(&how, e) || make_directories(directory, e) ||
+        output_claim(&claim, directory, e))
+        return e->status;
+    if (!ledger_make(&ledger, &how, e) && !ledger_write(&ledger, &about, e)) {
+        ledger_print(&ledger, &about, stdout);
+        if (ledger_failures(&ledger))
+            error_set(e, STATUS_RUN, "%s: the absence of %zu features is not proved; see ledger.md",
+                      directory, ledger_failures(&ledger));
+    }
+    ledger_free(&ledger);
+    output_release(&claim);
+    return e->status;
+}
+
 /* DIR for one study, DIR/NAME for each of several. */
 static void name_directory(const struct request *r, const char *study, char *out, size_t size)
 {
@@ -185,7 +269,7 @@ static enum status job_open(struct job *job, const struct request *r, const char
 {
     job->claim.file = -1;
     job->about.command = r->command;
-    if (study_read(&job->study, path, e))
+    if (study_read(&job->study, path, e) || check_kind(r, &job->study, e))
         return e->status;
     if (r->repeats)
         job->study.repeats = r->repeats;
@@ -223,7 +307,17 @@ static enum status run_all(const struct request *r, struct job *jobs, struct err
             work(&jobs[k], left / (double)(r->count - k), e))
             return e->status;
     }
-    return r->count > 1 ? summarize(r, jobs, e) : STATUS_OK;
+    return r->count > 1 && !r->stability ? summarize(r, jobs, e) : STATUS_OK;
+}
+
+static enum status run_ledgers(const struct request *r, struct error *e)
+{
+    for (size_t k = 0; k < r->count && !e->status; k++) {
+        char directory[PATH_MAX];
+        name_directory(r, r->studies[k], directory, sizeof directory);
+        run_ledger(r, r->studies[k], directory, e);
+    }
+    return e->status;
 }
 
 static char *join(int argc, char **argv)
@@ -245,19 +339,23 @@ static int study_run_tool(int argc, char **argv)
         .args_doc = "STUDY.json...",
         .doc = "Runs a scene over methods and ladders of settings and reports error against run time: "
                "tables, figures and a page. The same command goes on where one was stopped."};
-    struct request r = {.budget = INFINITY};
+    struct request r = {.budget = INFINITY, .scene = {.steps = 50, .threads = 1}};
     struct error e = {.status = STATUS_OK};
     static char name[] = "sph-render study";
     r.command = join(argc, argv);
     argv[0] = name;
     if (argp_parse(&parser, argc, argv, 0, NULL, &r))
         e.status = STATUS_USAGE;
-    struct job *jobs = e.status ? NULL : memory_create("studies", r.count, sizeof *jobs, &e);
-    if (jobs)
-        run_all(&r, jobs, &e);
-    for (size_t k = 0; jobs && k < r.count; k++)
-        job_close(&jobs[k]);
-    memory_free(jobs);
+    if (r.ledger && !e.status) {
+        run_ledgers(&r, &e);
+    } else if (!e.status) {
+        struct job *jobs = memory_create("studies", r.count, sizeof *jobs, &e);
+        if (jobs)
+            run_all(&r, jobs, &e);
+        for (size_t k = 0; jobs && k < r.count; k++)
+            job_close(&jobs[k]);
+        memory_free(jobs);
+    }
     if (e.status && e.text[0])
         log_error("%s", e.text);
     free(r.command);
