@@ -15,7 +15,7 @@
 extern char **environ;
 
 /* Of the figure in pixels: 600 are a column of 85 mm at 180 a inch. */
-enum { WIDTH = 600, LEFT = 100, RIGHT = 12, TOP = 58, TITLE = 22, CELL = 30, BOTTOM = 58 };
+enum { WIDTH = 600, LEFT = 112, RIGHT = 12, TOP = 58, TITLE = 22, CELL = 30, BOTTOM = 58 };
 
 /* Curves that tell apart in grey, by enum limit. */
 static const struct curve {
