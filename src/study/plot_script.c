@@ -308,7 +308,7 @@ static void write_script(struct script *s, const enum label_side *sides)
     fprintf(s->out, "set terminal pngcairo size width, height font 'sans,24' rounded\n"
                     "set output '%s.png'\nmark = 2.6; ring = 4.6\n", stem);
     plot_all(s);
-    fprintf(s->out, "set terminal svg size 0.75 * width, 0.75 * height font 'sans,24' rounded background "
+    fprintf(s->out, "set terminal svg size 0.75 * width, 0.75 * height + 60 font 'sans,24' rounded background "
                     "'#ffffff'\nset output '%s.svg'\nmark = 0.85; ring = 1.5\nreplot\nunset output\n", stem);
 }
 
