@@ -11,6 +11,8 @@
 
 #include <cmocka.h>
 
+#define near(a, b, most) assert_true(fabs((a) - (b)) <= (most))
+
 enum { RUNGS = 4, METHODS = 2 };
 
 static struct study_ladder ladder = {.name = "resolution", .key = "particles.spacing", .count = RUNGS};
@@ -50,10 +52,10 @@ static void orders_are_found(void **state)
         if (items[k].rung == 0)
             assert_true(isnan(order));
         else
-            assert_float_equal(order, items[k].method == &methods[0] ? 2 : 1, 1e-9);
+            near(order, items[k].method == &methods[0] ? 2 : 1, 1e-9);
     }
-    assert_float_equal(study_wall_median(&items[0]), 1.1, 1e-9);
-    assert_float_equal(study_wall(&items[0]), 1, 1e-9);
+    near(study_wall_median(&items[0]), 1.1, 1e-9);
+    near(study_wall(&items[0]), 1, 1e-9);
 }
 
 static void orders_need_two_rungs(void **state)
@@ -96,6 +98,7 @@ static void front_with_ties_and_failures(void **state)
     assert_true(study_is_front(&points, &items[4], 0, study_wall));
     items[1].errors.items[0].value = NAN;
     assert_false(study_is_front(&points, &items[1], 0, study_wall));
+    items[5].errors.items[0].value = -0.03; /* less than what is faster, and what is not known */
     assert_true(study_is_front(&points, &items[5], 0, study_wall));
     items[5].repeats = 0; /* no time */
     assert_false(study_is_front(&points, &items[5], 0, study_wall));
@@ -108,21 +111,21 @@ static void time_to_an_error(void **state)
     const struct curve first = {&points, &ladder, &methods[1], 0};
     struct crossing c = crossing_time(&second, 0.01 / 2); /* 4 d^2 = 0.005 */
     assert_int_equal(c.kind, CROSSING_AT);
-    assert_float_equal(c.value, 1e-3 * pow(sqrt(0.005 / 4), -3), 1e-6);
+    near(c.value, 1e-3 * pow(sqrt(0.005 / 4), -3), 1e-6);
     c = crossing_time(&second, 0.01); /* a rung's own error */
-    assert_float_equal(c.value, 1e-3 * pow(0.05, -3), 1e-6);
+    near(c.value, 1e-3 * pow(0.05, -3), 1e-6);
     c = crossing_time(&second, 0.5);
     assert_int_equal(c.kind, CROSSING_BELOW);
-    assert_float_equal(c.value, 1, 1e-9);
+    near(c.value, 1, 1e-9);
     c = crossing_time(&first, 0.01);
     assert_int_equal(c.kind, CROSSING_NEVER);
-    assert_float_equal(c.value, 0.0125, 1e-9);
+    near(c.value, 0.0125, 1e-9);
     char text[100];
     crossing_time_text(&c, "%", text, sizeof text);
     assert_string_equal(text, "not reached, least 1.25 %");
     items[1].outcome = OUTCOME_LATE; /* then between its neighbours: the law is the same line */
     c = crossing_time(&second, 0.005);
-    assert_float_equal(c.value, 1e-3 * pow(sqrt(0.005 / 4), -3), 1e-6);
+    near(c.value, 1e-3 * pow(sqrt(0.005 / 4), -3), 1e-6);
     items[3].errors.items[0].value = 0;
     c = crossing_time(&second, 1e-9);
     assert_int_equal(c.kind, CROSSING_BELOW);
@@ -138,16 +141,16 @@ static void error_after_a_time(void **state)
     const struct curve second = {&points, &ladder, &methods[0], 0};
     struct crossing c = crossing_error(&second, 10); /* 1e-3 / d^3 = 10 */
     assert_int_equal(c.kind, CROSSING_AT);
-    assert_float_equal(c.value, 4 * pow(1e-4, 2.0 / 3), 1e-9);
+    near(c.value, 4 * pow(1e-4, 2.0 / 3), 1e-9);
     c = crossing_error(&second, 1e6);
     assert_int_equal(c.kind, CROSSING_BELOW);
-    assert_float_equal(c.value, 4 * 0.0125 * 0.0125, 1e-12);
+    near(c.value, 4 * 0.0125 * 0.0125, 1e-12);
     c = crossing_error(&second, 0.1);
     assert_int_equal(c.kind, CROSSING_ABOVE);
-    assert_float_equal(c.value, 0.04, 1e-12);
+    near(c.value, 0.04, 1e-12);
     items[3].errors.items[0].value = 0.02; /* worse than the one before: nobody would take it */
     c = crossing_error(&second, 1e6);
-    assert_float_equal(c.value, 4 * 0.025 * 0.025, 1e-12);
+    near(c.value, 4 * 0.025 * 0.025, 1e-12);
     char text[100];
     crossing_error_text(&c, "%", text, sizeof text);
     assert_string_equal(text, "< 0.25 %");
@@ -162,7 +165,7 @@ static void spread_is_the_last_errors(void **state)
     study_error_add(&errors, 1, "%", NAN, "b");
     study_error_spread(&errors, 0.027);
     assert_true(isnan(errors.items[0].spread));
-    assert_float_equal(errors.items[1].spread, 0.027, 0);
+    near(errors.items[1].spread, 0.027, 0);
 }
 
 int main(void)
@@ -176,6 +179,5 @@ int main(void)
         cmocka_unit_test_setup(error_after_a_time, make),
         cmocka_unit_test_setup(spread_is_the_last_errors, make),
     };
-    cmocka_set_message_output(CM_OUTPUT_TAP);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
