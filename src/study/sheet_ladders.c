@@ -45,14 +45,6 @@ static bool is_noisy(const struct study_point *point)
     return study_wall_median(point) > (1 + NOISE) * study_wall(point);
 }
 
-static void write_outcome(struct sheet *sheet, const struct study_point *point)
-{
-    char text[512];
-    snprintf(text, sizeof text, "%s%s%s", outcome_names[point->outcome], point->cause[0] ? ": " : "",
-             point->cause);
-    sheet->format->cell(sheet, text, CELL_PLAIN);
-}
-
 static void write_numbers(struct sheet *sheet, const struct study_point *p)
 {
     char text[64];
@@ -96,7 +88,7 @@ static void write_point(struct sheet *sheet, const struct study_point *p, size_t
     }
     cell(sheet, p->repeats > 0 ? p->energy_drift : (double)NAN);
     cell(sheet, p->repeats > 0 ? p->momentum_drift : (double)NAN);
-    write_outcome(sheet, p);
+    sheet->format->cell(sheet, outcome_names[p->outcome], CELL_PLAIN); /* causes: sheet_verdicts.c */
     sheet->format->row(sheet, false);
 }
 
