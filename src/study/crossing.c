@@ -8,8 +8,21 @@
 
 enum { CURVE_MOST = 256 };
 
-/* Points of a curve by rising time; gives their number. */
-static size_t sorted(const struct curve *curve, double *times, double *errors)
+/* Leaves those that err less than every faster one. */
+static size_t falling(double *times, double *errors, size_t count)
+{
+    size_t kept = 0;
+    for (size_t k = 0; k < count; k++)
+        if (kept == 0 || errors[k] < errors[kept - 1]) {
+            times[kept] = times[k];
+            errors[kept++] = errors[k];
+        }
+    return kept;
+}
+
+/* A method's own front by rising time, that noise and errors of both signs do not lead astray; gives
+ * the number of its points. */
+static size_t front_of(const struct curve *curve, double *times, double *errors)
 {
     size_t count = 0;
     for (size_t k = 0; k < curve->points->count && count < CURVE_MOST; k++) {
@@ -25,7 +38,7 @@ static size_t sorted(const struct curve *curve, double *times, double *errors)
         times[i] = t;
         errors[i] = error;
     }
-    return count;
+    return falling(times, errors, count);
 }
 
 /* y at x on the line through the logarithms of two points, x from x0 to x1. */
@@ -38,7 +51,7 @@ static double between(double x, double x0, double y0, double x1, double y1)
 struct crossing crossing_time(const struct curve *curve, double error)
 {
     double times[CURVE_MOST], errors[CURVE_MOST], least = INFINITY;
-    size_t count = sorted(curve, times, errors);
+    size_t count = front_of(curve, times, errors);
     for (size_t k = 0; k < count; k++) {
         least = fmin(least, errors[k]);
         if (errors[k] > error)
@@ -54,7 +67,7 @@ struct crossing crossing_time(const struct curve *curve, double error)
 struct crossing crossing_error(const struct curve *curve, double seconds)
 {
     double times[CURVE_MOST], errors[CURVE_MOST];
-    size_t count = sorted(curve, times, errors), k = 0;
+    size_t count = front_of(curve, times, errors), k = 0;
     if (!count)
         return (struct crossing){CROSSING_NONE, (double)NAN};
     while (k < count && times[k] < seconds)

@@ -88,7 +88,8 @@ void figure_labels(const struct figure_view *view, enum label_side *sides)
 {
     for (size_t k = 0; k < view->count; k++) {
         sides[k] = LABEL_NONE;
-        for (enum label_side side = LABEL_ABOVE; side <= LABEL_LEFT && !sides[k]; side++) {
+        enum label_side first = view->marks[k].failed ? LABEL_RIGHT : LABEL_ABOVE;
+        for (enum label_side side = first; side <= LABEL_LEFT && !sides[k]; side++) {
             struct box box = label_box(view, k, side);
             if (is_free(view, sides, k, &box))
                 sides[k] = side;

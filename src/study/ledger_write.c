@@ -1,4 +1,5 @@
 /* Writes a ledger: the Markdown table, csv and json. */
+#include "study/fields.h"
 #include "study/ledger.h"
 
 #include "base/output.h"
@@ -113,17 +114,6 @@ void ledger_print(const struct ledger *ledger, const struct study_about *about, 
             ledger->noise, 100 * ledger->noise / ledger->ns);
 }
 
-static void write_text(const char *text, FILE *out)
-{
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', out);
-        fputc(*text, out);
-    }
-    fputc('"', out);
-}
-
 static const char *kind(const struct ledger_row *row)
 {
     return row->used        ? "used"
@@ -140,36 +130,20 @@ static void write_csv(const struct ledger *ledger, FILE *out)
         const double numbers[] = {row->without, row->with, row->neutral,
                                   row->feature->output ? (double)NAN : ledger->noise, row->steps,
                                   row->planned, row->bytes};
-        write_text(row->feature->variant.name, out);
+        csv_text(row->feature->variant.name, out);
         fprintf(out, ",%s,%s,", kind(row), row->feature->output ? "frame" : "step");
         for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-            if (isfinite(numbers[i]))
-                fprintf(out, "%.6g", numbers[i]);
+            csv_number(numbers[i], out);
             fputc(',', out);
         }
         fprintf(out, "%s,%s,%s,%s,%s,", answers[row->states[STRENGTH_OFF]],
                 answers[row->states[STRENGTH_ON]], answers[row->states[STRENGTH_FAINT]],
                 row->absent ? "yes" : "no", ledger_proved(row) ? "yes" : "no");
-        write_text(row->said, out);
+        csv_text(row->said, out);
         fputc(',', out);
-        write_text(row->reason, out);
+        csv_text(row->reason, out);
         fputc('\n', out);
     }
-}
-
-static void json_text(const char *key, const char *text, FILE *out)
-{
-    char quoted[2048];
-    json_quote(text, quoted, sizeof quoted);
-    fprintf(out, "\"%s\": %s, ", key, quoted);
-}
-
-static void json_number(const char *key, double number, FILE *out)
-{
-    if (isfinite(number))
-        fprintf(out, "\"%s\": %.9g, ", key, number);
-    else
-        fprintf(out, "\"%s\": null, ", key);
 }
 
 static void write_json(const struct ledger *ledger, const struct study_about *about, FILE *out)

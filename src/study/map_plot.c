@@ -3,16 +3,10 @@
 
 #include "base/log.h"
 #include "base/output.h"
+#include "study/process.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <math.h>
-#include <spawn.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-extern char **environ;
 
 /* Of the figure in pixels: 600 are a column of 85 mm at 180 a inch. */
 enum { WIDTH = 600, LEFT = 112, RIGHT = 12, TOP = 58, TITLE = 22, CELL = 30, BOTTOM = 58 };
@@ -201,32 +195,13 @@ static void write_script(const struct map *map, FILE *out)
     fputs("unset output\n", out);
 }
 
-/* Runs gnuplot in the directory, its words into stability.log; false: there is no gnuplot. */
-static bool run_gnuplot(const char *directory, int *code)
-{
-    static char name[] = "gnuplot", script[] = "stability.gp";
-    char *const argv[] = {name, script, NULL};
-    posix_spawn_file_actions_t actions;
-    pid_t child;
-    int state = 0;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, directory);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "stability.log",
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    int failed = posix_spawnp(&child, name, &actions, NULL, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    while (!failed && waitpid(child, &state, 0) < 0 && errno == EINTR)
-        continue;
-    *code = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
-    return !failed && *code != 127;
-}
-
 enum status map_plot(const struct map *map, const char *directory, bool *drawn, struct error *e)
 {
     static const char *const names[] = {"stability.dat", "stability.gp"};
     static void (*const write[])(const struct map *, FILE *) = {write_data, write_script};
-    int code = 0;
+    const char *const argv[] = {"gnuplot", "stability.gp", NULL};
+    struct process_end end;
+    char log[4096];
     for (int k = 0; k < 2; k++) {
         char path[4096];
         struct output_file file;
@@ -237,12 +212,17 @@ enum status map_plot(const struct map *map, const char *directory, bool *drawn, 
         if (output_close(&file, true, e))
             return e->status;
     }
-    *drawn = run_gnuplot(directory, &code);
-    if (!*drawn)
+    *drawn = process_found("gnuplot");
+    if (!*drawn) {
         log_info("%s: no figure, because there is no gnuplot (Debian's gnuplot-nox); the same command "
                  "draws it once it is there, or `gnuplot stability.gp` in the directory", directory);
-    else if (code)
-        return error_set(e, STATUS_OUTPUT, "%s: gnuplot ended with exit code %d; see stability.log there",
-                         directory, code);
+        return STATUS_OK;
+    }
+    snprintf(log, sizeof log, "%s/stability.log", directory);
+    if (process_run_other(argv, directory, log, &end, e))
+        return e->status;
+    if (end.code)
+        return error_set(e, STATUS_OUTPUT, "%s: gnuplot ended with exit code %d, and says why in %s",
+                         directory, end.code, log);
     return STATUS_OK;
 }

@@ -1,4 +1,5 @@
 /* Writes a stability map's tables: stability.csv, stability.json, report.md. */
+#include "study/fields.h"
 #include "study/map.h"
 
 #include "base/output.h"
@@ -32,43 +33,36 @@ static const struct study_errors *some_errors(const struct map *map)
     return NULL;
 }
 
-static void csv_text(const char *text, FILE *out)
+static void field_text(const char *text, FILE *out)
 {
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', out);
-        fputc(*text, out);
-    }
-    fputs("\",", out);
+    csv_text(text, out);
+    fputc(',', out);
 }
 
-static void csv_number(double number, FILE *out)
+static void field_number(double number, FILE *out)
 {
-    if (isfinite(number))
-        fprintf(out, "%.9g", number);
+    csv_number(number, out);
     fputc(',', out);
 }
 
 static void csv_cell(const struct map *map, const struct map_cell *cell, size_t errors, FILE *out)
 {
     const struct study_point *point = cell->point;
-    csv_text(method_name(map, cell), out);
-    csv_text(x_label(map, cell), out);
-    csv_text(y_label(map, cell), out);
-    csv_text(cell_looks[cell->kind].name, out);
-    csv_text(cell->why, out);
+    const char *const texts[] = {method_name(map, cell), x_label(map, cell), y_label(map, cell),
+                                 cell_looks[cell->kind].name, cell->why};
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        field_text(texts[k], out);
     const double numbers[] = {cell->step, cell->steps, cell->fewest, cell->rejected,
                               cell->steps > 0 ? point->scene->time.end / cell->steps : (double)NAN,
                               study_wall(point)};
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
-        csv_number(numbers[k], out);
+        field_number(numbers[k], out);
     fprintf(out, "%s,", cell->bound);
     for (int k = 0; k < LIMIT_COUNT; k++)
-        csv_number(cell->limits[k], out);
-    csv_number(cell->explicit_viscous, out);
+        field_number(cell->limits[k], out);
+    field_number(cell->explicit_viscous, out);
     for (size_t k = 0; k < errors; k++)
-        csv_number(k < point->errors.count ? point->errors.items[k].value : (double)NAN, out);
+        field_number(k < point->errors.count ? point->errors.items[k].value : (double)NAN, out);
     fprintf(out, "%s,%s\n", point->hash, point->folder);
 }
 
@@ -77,32 +71,17 @@ static void write_csv(const struct map *map, FILE *out)
     const struct study_errors *errors = some_errors(map);
     size_t count = errors ? errors->count : 0;
     fputs("method,", out);
-    csv_text(map->study->map[0].key, out);
-    csv_text(map->study->map[1].key, out);
+    field_text(map->study->map[0].key, out);
+    field_text(map->study->map[1].key, out);
     fputs("kind,why,step asked (s),steps,fewest steps,rejected,mean step (s),wall (s),bound by,", out);
     for (int k = 0; k < LIMIT_COUNT; k++)
         fprintf(out, "%s limit (s),", limit_words[k]);
     fputs("explicit viscous limit (s),", out);
     for (size_t k = 0; k < count; k++)
-        csv_text(errors->items[k].name, out);
+        field_text(errors->items[k].name, out);
     fputs("state,folder\n", out);
     for (size_t k = 0; k < map->count; k++)
         csv_cell(map, &map->cells[k], count, out);
-}
-
-static void json_text(const char *key, const char *text, FILE *out)
-{
-    char quoted[2048];
-    json_quote(text, quoted, sizeof quoted);
-    fprintf(out, "\"%s\": %s, ", key, quoted);
-}
-
-static void json_number(const char *key, double number, FILE *out)
-{
-    if (isfinite(number))
-        fprintf(out, "\"%s\": %.9g, ", key, number);
-    else
-        fprintf(out, "\"%s\": null, ", key);
 }
 
 static void json_cell(const struct map *map, const struct map_cell *cell, FILE *out)

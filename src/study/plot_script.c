@@ -141,11 +141,22 @@ static void write_labels(struct script *s, const enum label_side *sides)
     }
 }
 
+/* "text" in as many lines as it takes. */
 static void write_name(struct script *s, char letter, const char *text)
 {
-    fprintf(s->out, "set %clabel ", letter);
-    write_quoted(text, 200, s->out);
-    fputs(" noenhanced\n", s->out);
+    size_t letters = 0;
+    fprintf(s->out, "set %clabel \"", letter);
+    for (; *text; text++) {
+        size_t word = strcspn(text + 1, " ");
+        if (*text == ' ' && letters + word >= NAME_MOST) {
+            fputs("\\n", s->out);
+            letters = 0;
+            continue;
+        }
+        letters++;
+        fprintf(s->out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    }
+    fputs("\" noenhanced\n", s->out);
 }
 
 static void write_axes(struct script *s)
@@ -171,33 +182,26 @@ static void write_axes(struct script *s)
 }
 
 /* Of all that the key may say, for the height of the picture. */
-static size_t key_lines(const struct script *s, int *columns)
+static size_t key_lines(const struct script *s)
 {
-    size_t longest = 0, count = 0;
-    for (size_t m = 0; m < s->results->study->method_count && m < sizeof s->shown; m++)
-        if (s->shown[m]) {
-            size_t length = strlen(s->results->study->methods[m].name);
-            longest = length > longest ? length : longest;
-            count++;
-        }
-    *columns = longest > 16 || count < 4 ? 1 : 2;
-    return *columns == 1 ? count + 6 : (count + 7) / 2;
+    size_t count = 7;
+    for (size_t m = 0; m < sizeof s->shown; m++)
+        count += s->shown[m];
+    return count;
 }
 
 static void write_head(struct script *s)
 {
-    int columns;
-    size_t lines = key_lines(s, &columns);
     fprintf(s->out,
             "# gnuplot %s.gp, in this directory, makes %s.png and %s.svg of %s.dat.\n"
             "set encoding utf8\n"
             "set border linewidth 2 linecolor rgb '#333333'\nset tics nomirror scale 0.8, 0.4\n"
             "set grid xtics ytics linetype 1 linewidth 1 linecolor rgb '#ececec'\n"
-            "set key outside below center Left reverse maxcols %d samplen 2 spacing 1.1 width 0 "
+            "set key outside below center Left reverse maxcols 1 samplen 2 spacing 1.1 width 0 "
             "noenhanced\n"
-            "width = %d; height = %zu\n",
-            s->figure->stem, s->figure->stem, s->figure->stem, s->figure->stem, columns, WIDTH,
-            (size_t)HEIGHT + LINE * lines);
+            "width = %d; lines = %zu; height = %d + %d * lines\n",
+            s->figure->stem, s->figure->stem, s->figure->stem, s->figure->stem, WIDTH,
+            key_lines(s), HEIGHT, LINE);
 }
 
 static void plot_methods(struct script *s)
@@ -308,7 +312,7 @@ static void write_script(struct script *s, const enum label_side *sides)
     fprintf(s->out, "set terminal pngcairo size width, height font 'sans,24' rounded\n"
                     "set output '%s.png'\nmark = 2.6; ring = 4.6\n", stem);
     plot_all(s);
-    fprintf(s->out, "set terminal svg size 0.75 * width, 0.75 * height font 'sans,24' rounded background "
+    fprintf(s->out, "set terminal svg size 0.75 * width, 0.75 * height + 9 * lines font 'sans,24' rounded background "
                     "'#ffffff'\nset output '%s.svg'\nmark = 0.85; ring = 1.5\nreplot\nunset output\n", stem);
 }
 

@@ -1,26 +1,14 @@
 /* Product "results.csv": a line for each point. */
 #include "base/output.h"
+#include "study/fields.h"
 #include "study/products.h"
 
 #include <math.h>
 
-/* Quotes, for texts that may hold commas. */
-static void write_text(const char *text, FILE *out)
-{
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', out);
-        fputc(*text, out);
-    }
-    fputc('"', out);
-}
-
 static void write_number(double number, FILE *out)
 {
     fputc(',', out);
-    if (!isnan(number))
-        fprintf(out, "%.9g", number);
+    csv_number(number, out);
 }
 
 static void write_names(const struct study_points *points, FILE *out)
@@ -32,7 +20,7 @@ static void write_names(const struct study_points *points, FILE *out)
         if (points->items[k].errors.count) {
             for (size_t i = 0; i < points->items[k].errors.count; i++) {
                 fputc(',', out);
-                write_text(points->items[k].errors.items[i].name, out);
+                csv_text(points->items[k].errors.items[i].name, out);
             }
             break;
         }
@@ -49,7 +37,7 @@ static void write_point(const struct study_point *p, FILE *out)
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
         if (k)
             fputc(',', out);
-        write_text(texts[k], out);
+        csv_text(texts[k], out);
     }
     bool ran = p->repeats > 0;
     write_number(ran ? p->particles : p->guess, out);

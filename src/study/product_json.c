@@ -2,24 +2,10 @@
 #include "base/output.h"
 #include "base/quote.h"
 #include "run/report.h"
+#include "study/fields.h"
 #include "study/products.h"
 
 #include <math.h>
-
-static void write_text(const char *key, const char *text, FILE *out)
-{
-    char quoted[2048];
-    json_quote(text, quoted, sizeof quoted);
-    fprintf(out, "\"%s\": %s, ", key, quoted);
-}
-
-static void write_number(const char *key, double number, FILE *out)
-{
-    if (isfinite(number))
-        fprintf(out, "\"%s\": %.9g, ", key, number);
-    else
-        fprintf(out, "\"%s\": null, ", key);
-}
 
 static void write_times(const char *key, const double *values, int count, FILE *out)
 {
@@ -35,10 +21,10 @@ static void write_errors(const struct study_errors *errors, FILE *out)
     for (size_t k = 0; k < errors->count; k++) {
         const struct study_error *error = &errors->items[k];
         fputs(k ? ", {" : "{", out);
-        write_text("name", error->name, out);
-        write_text("unit", error->unit, out);
-        write_number("asked", error->asked, out);
-        write_number("spread", error->spread, out);
+        json_text("name", error->name, out);
+        json_text("unit", error->unit, out);
+        json_number("asked", error->asked, out);
+        json_number("spread", error->spread, out);
         if (isfinite(error->value))
             fprintf(out, "\"value\": %.9g}", error->value);
         else
@@ -52,32 +38,32 @@ static void write_point(const struct study_points *points, const struct study_po
                         FILE *out)
 {
     fputs("{", out);
-    write_text("ladder", p->ladder ? p->ladder->name : "reference", out);
-    write_text("method", p->method ? p->method->name : "reference", out);
-    write_text("key", p->ladder ? p->ladder->key : "", out);
-    write_text("value", p->ladder ? p->ladder->labels[p->rung] : "", out);
-    write_text("outcome", outcome_names[p->outcome], out);
-    write_text("cause", p->cause, out);
-    write_text("folder", p->folder, out);
-    write_text("state", p->hash, out);
-    write_text("isa", p->isa, out);
+    json_text("ladder", p->ladder ? p->ladder->name : "reference", out);
+    json_text("method", p->method ? p->method->name : "reference", out);
+    json_text("key", p->ladder ? p->ladder->key : "", out);
+    json_text("value", p->ladder ? p->ladder->labels[p->rung] : "", out);
+    json_text("outcome", outcome_names[p->outcome], out);
+    json_text("cause", p->cause, out);
+    json_text("folder", p->folder, out);
+    json_text("state", p->hash, out);
+    json_text("isa", p->isa, out);
     fprintf(out, "\"threads\": %d, ", p->threads);
-    write_number("spacing", p->scene->particles.spacing, out);
+    json_number("spacing", p->scene->particles.spacing, out);
     if (p->repeats > 0) {
-        write_number("particles", p->particles, out);
+        json_number("particles", p->particles, out);
         write_times("wall", p->wall, p->repeats, out);
         write_times("processor", p->cpu, p->repeats, out);
-        write_number("pairs", p->pairs, out);
-        write_number("steps", p->steps, out);
-        write_number("rejected", p->rejected, out);
-        write_number("mean_step", p->dt, out);
-        write_number("iterations_a_step", p->iterations, out);
-        write_number("bytes", p->bytes, out);
-        write_number("energy_drift", p->energy_drift, out);
-        write_number("momentum_drift", p->momentum_drift, out);
-        write_number("leak", p->leak, out);
+        json_number("pairs", p->pairs, out);
+        json_number("steps", p->steps, out);
+        json_number("rejected", p->rejected, out);
+        json_number("mean_step", p->dt, out);
+        json_number("iterations_a_step", p->iterations, out);
+        json_number("bytes", p->bytes, out);
+        json_number("energy_drift", p->energy_drift, out);
+        json_number("momentum_drift", p->momentum_drift, out);
+        json_number("leak", p->leak, out);
     }
-    write_number("order", study_order(points, p, plot), out);
+    json_number("order", study_order(points, p, plot), out);
     fprintf(out, "\"front\": %s, ", study_is_front(points, p, plot, study_wall) ? "true" : "false");
     write_errors(&p->errors, out);
     fputs("}", out);
@@ -94,14 +80,14 @@ static enum status write_json(const struct study_results *results, struct error 
     FILE *out = file.stream;
     study_plots(results, &plot, 1);
     fputs("{", out);
-    write_text("title", results->study->title, out);
-    write_text("study", results->study->path, out);
-    write_text("program", "sph-render " SPH_VERSION, out);
-    write_text("processor", report_processor(), out);
-    write_text("command", results->about->command, out);
-    write_text("date", results->about->date, out);
-    write_number("speed_before", results->about->speed[0], out);
-    write_number("speed_after", results->about->speed[1], out);
+    json_text("title", results->study->title, out);
+    json_text("study", results->study->path, out);
+    json_text("program", "sph-render " SPH_VERSION, out);
+    json_text("processor", report_processor(), out);
+    json_text("command", results->about->command, out);
+    json_text("date", results->about->date, out);
+    json_number("speed_before", results->about->speed[0], out);
+    json_number("speed_after", results->about->speed[1], out);
     fputs("\"points\": [", out);
     for (size_t k = 0; k < results->points->count; k++) {
         fputs(k ? ",\n  " : "\n  ", out);

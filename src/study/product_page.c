@@ -22,7 +22,7 @@ static const char opening[] =
     "table{border-collapse:collapse;font-size:.82em}"
     "th{vertical-align:bottom;border-bottom:2px solid #888;font-weight:600;max-width:8em}"
     "td,th{padding:.2em .6em;text-align:right;font-variant-numeric:tabular-nums}"
-    "td:first-child,th:first-child{text-align:left}"
+    "td:first-child,th:first-child{text-align:left;min-width:11em}"
     "td{border-bottom:1px solid #e4e4e4}td b{color:#b00020}"
     ".warning{background:#fff3cd;border-left:4px solid #e0a800;padding:.5em .8em}"
     "code{font-size:.9em;background:#f4f4f4;padding:0 .2em;overflow-wrap:anywhere}"

@@ -48,7 +48,7 @@ static void write_about(struct sheet *sheet)
     sheet_paragraph(sheet, false, "Measured %s on %s by sph-render %s, scene %s%s%s. Each point ran up to "
                     "%d times, in turns with the others, once where a run takes more than %g s; times are of "
                     "solving, the least counts; errors are of the first run. A fixed loop "
-                    " made %.3g multiply-adds a second before and %.3g after (%+.1f %%).",
+                    "made %.3g multiply-adds a second before and %.3g after (%+.1f %%).",
                     about->date, report_processor(), SPH_VERSION, study->scene,
                     study->known ? ", case " : "", study->known ? study->known->variant.name : "",
                     study->repeats, REPEAT_LONGEST, before, after, 100 * drift);

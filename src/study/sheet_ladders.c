@@ -45,14 +45,6 @@ static bool is_noisy(const struct study_point *point)
     return study_wall_median(point) > (1 + NOISE) * study_wall(point);
 }
 
-static void write_outcome(struct sheet *sheet, const struct study_point *point)
-{
-    char text[512];
-    snprintf(text, sizeof text, "%s%s%s", outcome_names[point->outcome], point->cause[0] ? ": " : "",
-             point->cause);
-    sheet->format->cell(sheet, text, CELL_PLAIN);
-}
-
 static void write_numbers(struct sheet *sheet, const struct study_point *p)
 {
     char text[64];
@@ -96,7 +88,7 @@ static void write_point(struct sheet *sheet, const struct study_point *p, size_t
     }
     cell(sheet, p->repeats > 0 ? p->energy_drift : (double)NAN);
     cell(sheet, p->repeats > 0 ? p->momentum_drift : (double)NAN);
-    write_outcome(sheet, p);
+    sheet->format->cell(sheet, outcome_names[p->outcome], CELL_PLAIN); /* causes: sheet_verdicts.c */
     sheet->format->row(sheet, false);
 }
 
@@ -146,9 +138,11 @@ static void write_notes(struct sheet *sheet, const struct study_ladder *ladder)
     size_t noisy = 0;
     for (size_t k = 0; k < points->count; k++)
         noisy += points->items[k].ladder == ladder && is_noisy(&points->items[k]);
-    sheet_paragraph(sheet, false, "Bold: more than asked. Front ●: no other point errs less in less time. "
-                    "Order: p of error ~ spacing^p from the rung before. Drift: part of the largest energy, and "
-                    "of the mass at its largest mean speed.");
+    sheet_paragraph(sheet, false, "Bold: more than asked. %sDrift: part of the largest energy, and of the "
+                    "momentum of all mass at the mean speed of most kinetic energy.",
+                    figure_is_time(sheet->results, ladder) ? ""
+                    : "Front ●: no other point errs less in less time. Order: p of error ~ spacing^p from the "
+                      "rung before. ");
     if (noisy)
         sheet_paragraph(sheet, true, "~: %zu points are noisy; their median time is more than %g %% above "
                         "the least.", noisy, 100 * NOISE);
@@ -158,6 +152,8 @@ static void write_table(struct sheet *sheet, const struct study_ladder *ladder)
 {
     const struct study_results *results = sheet->results;
     size_t plots[ERRORS_MAX], plot_count = study_plots(results, plots, ERRORS_MAX);
+    if (figure_is_time(results, ladder)) /* no orders and fronts */
+        plot_count = 0;
     const struct study_point *example = find_example(results->points, ladder);
     sheet->format->table(sheet, true);
     write_heads(sheet, ladder, example, plots, plot_count);

@@ -51,7 +51,8 @@ static void write_bounds(struct sheet *sheet)
     const struct study_results *results = sheet->results;
     for (size_t l = 0; l < results->study->ladder_count; l++) {
         const struct study_ladder *ladder = &results->study->ladders[l];
-        for (size_t k = 0; k < ERRORS_MAX; k++) {
+        bool skip = results->study->ladder_count > 1 && figure_is_time(results, ladder);
+        for (size_t k = 0; k < ERRORS_MAX && !skip; k++) {
             const struct study_error *of = figure_error(results->points, ladder, k);
             if (of && !isnan(of->asked))
                 write_bound(sheet, ladder, k, of);

@@ -1,0 +1,182 @@
+#!/bin/sh
+# Tests studies from end to end: tables, figures and pages of runs of one particle whose errors are known.
+. tests/tap.sh
+# The particle's centre is half a spacing above 0.2 m and stays there: the height errs by d/2.
+cat >"$work/scene.json" <<'END'
+{ "title": "One particle", "gravity": [0, 0, 0],
+  "domain": {"min": [0, 0, 0], "max": [1, 1, 1]},
+  "particles": {"spacing": 0.1},
+  "fluids": [{"name": "fluid", "density": 1000, "viscosity": 0.001}],
+  "bodies": [{"shape": "box", "min": [0.2, 0.2, 0.2], "max": [0.3, 0.3, 0.3]}],
+  "solver": {"method": "isph"},
+  "time": {"end": 0.02}, "movie": {"size": [64, 36], "fps": 50} }
+END
+printf 'time (s),height,low,high\n0,0.2,0.19,0.21\n1,0.2,0.19,0.21\n' >"$work/data.csv"
+head='"scene": "scene.json", "repeats": 1, "interval": 0.01, "measure": [{"quantity": "extent"}]'
+cat >"$work/study.json" <<END
+{ "title": "Height <of> one | particle", $head,
+  "errors": [
+    {"name": "by value", "column": "extent.y.min", "norm": "final", "asked": 0.1, "reference": {"value": 0.2}},
+    {"name": "by formula", "column": "extent.y.min", "norm": "final", "reference": {"formula": "0.2+0*t"}},
+    {"name": "by data", "column": "extent.y.min", "norm": "final",
+     "reference": {"data": "data.csv", "column": "height", "low": "low", "high": "high"}},
+    {"name": "by first", "column": "extent.y.min", "norm": "l2", "reference": "first"},
+    {"name": "by run", "column": "extent.y.min", "norm": "max", "reference": "run"}],
+  "plot": ["by value"],
+  "reference": {"particles.spacing": 0.0125},
+  "methods": [{"vary": {"solver.method": ["isph", "wcsph"]}}],
+  "ladders": [{"name": "resolution", "set": {"particles.spacing": [0.1, 0.05, 0.025]}},
+              {"name": "threads", "set": {"threads": [1, 2]}}] }
+END
+out=$work/results
+formulas=0
+"$SPH" study "$work/study.json" -o "$out" -q >"$work/out" 2>&1 || formulas=$?
+if [ "$formulas" != 0 ] && grep -q muParser "$work/out"; then # a program without muParser
+    sed -i '/by formula/d' "$work/study.json"
+    "$SPH" study "$work/study.json" -o "$out" -q >"$work/out" 2>&1
+    formulas=$?
+else
+    formulas_in=1
+fi
+[ "$formulas" = 0 ]
+result $? "a study runs"
+jq -e '.points | length == 11 and all(.outcome == "done")' "$out/results.json" >"$work/out" 2>&1
+result $? "results.json has the reference and ten points, all done"
+[ "$(wc -l <"$out/results.csv")" = 12 ] && [ "$(head -n 1 "$out/results.csv" | grep -c '"by value"')" = 1 ]
+result $? "results.csv has a line for each"
+
+# errs NAME VALUES: of isph along the resolutions
+errs() {
+    jq -e --arg name "$1" --argjson values "$2" '[.points[] | select(.ladder == "resolution" and
+        .method == "isph") | .errors[] | select(.name == $name).value] as $v |
+        ($v | length) == 3 and ([$v, $values] | transpose | all(((.[0] - .[1]) | fabs) < 1e-5))' \
+        "$out/results.json" >"$work/out" 2>&1
+    result $? "the error $1 is what it is made to be"
+}
+errs "by value" '[0.25, 0.125, 0.0625]'
+[ -z "${formulas_in:-}" ] || errs "by formula" '[0.25, 0.125, 0.0625]'
+errs "by data" '[0.25, 0.125, 0.0625]'
+errs "by first" '[0, 0, 0]'
+errs "by run" '[0.212121, 0.090909, 0.030303]'
+jq -e '[.points[] | select(.ladder == "resolution" and .value != "0.1").order] |
+       length == 4 and all((. - 1 | fabs) < 1e-4)' "$out/results.json" >"$work/out" 2>&1
+result $? "errors of d/2 are of first order"
+jq -e '[.points[].errors[] | select(.name == "by data").spread] | all((. - 0.05 | fabs) < 1e-6)' \
+    "$out/results.json" >"$work/out" 2>&1
+result $? "a band of data is its spread"
+jq -e '[.points[] | select(.front and .ladder == "resolution")] | length >= 1' "$out/results.json" \
+    >"$work/out" 2>&1
+result $? "some point is on the front"
+
+grep -q '^# Height \\<of\\> one \\| particle' "$out/report.md" &&
+    grep -q '^| isph | 0.05 |.*\*\*12.5 %\*\*' "$out/report.md" &&
+    grep -q '^| wcsph | 0.025 |.* 6.25 %' "$out/report.md" &&
+    grep -q 'time to 1 % error' "$out/report.md" && grep -q 'not reached, least 6.25 %' "$out/report.md" &&
+    grep -q 'by value, asked at most 10 %.*met by isph (6.25 %); wcsph (6.25 %)' "$out/report.md" &&
+    grep -q 'Default on the front. isph (the scene.s own settings)' "$out/report.md" &&
+    grep -q 'speed-up' "$out/report.md"
+result $? "report.md has rows, bounds and verdicts"
+command=$(sed -n 's/^- isph, particles.spacing 0.05: `sph-render \(.*\)`$/\1/p' "$out/report.md")
+program=$(realpath "$SPH")
+[ -n "$command" ] && (cd "$out" && eval "'$program' $command -q") >"$work/out" 2>&1 &&
+    jq -e --slurpfile again "$out/report.json" '.points[] | select(.ladder == "resolution" and
+       .method == "isph" and .value == "0.05").steps == $again[0].steps' "$out/results.json" >"$work/out" 2>&1
+result $? "a point's command makes its run again"
+grep -q '<title>Height &lt;of&gt; one | particle</title>' "$out/index.html" &&
+    grep -q '<b>12.5 %</b>' "$out/index.html" && grep -q 'data:image/png;base64,' "$out/index.html" &&
+    ! grep -qE '(src|href)="?(https?:|/|\.)' "$out/index.html"
+result $? "index.html has rows and pictures, and asks for no other file"
+if command -v gnuplot >"$work/out" 2>&1; then
+    for plot in 1-resolution-by-value-time 2-resolution-by-value-pairs 3-threads-time; do
+        [ -s "$out/plots/$plot.png" ] && [ -s "$out/plots/$plot.svg" ] && [ -s "$out/plots/$plot.dat" ]
+        result $? "$plot is drawn"
+    done
+    grep -q 'data:image/svg+xml;base64,' "$out/index.html"
+    result $? "the page has figures"
+    rm "$out/plots/3-threads-time.png"
+    (cd "$out/plots" && gnuplot 3-threads-time.gp) >"$work/out" 2>&1 && [ -s "$out/plots/3-threads-time.png" ]
+    result $? "a figure's script draws it again by hand"
+fi
+
+ends() { find "$1/runs" -name '*.end' -exec stat -c '%n %Y %Z %i' {} + | sort; }
+ends "$out" >"$work/before"
+PATH=/nowhere "$SPH" study "$work/study.json" -o "$out" >"$work/out" 2>&1
+code=$?
+ends "$out" >"$work/after"
+[ "$code" = 0 ] && cmp -s "$work/before" "$work/after"
+result $? "the same command runs nothing again"
+[ "$(grep -c gnuplot-nox "$work/out")" = 1 ] && [ -s "$out/report.md" ]
+result $? "without gnuplot one message names its package, and the rest is written"
+
+# One point is soon done, the other lasts.
+cat >"$work/long.json" <<END
+{ "title": "Long", $head,
+  "errors": [{"column": "extent.y.min", "reference": {"value": 0.2}}],
+  "ladders": [{"name": "end", "set": {"time.end": [0.02, 1e5], "particles.spacing": [0.1, 0.05]}}] }
+END
+# begin: starts it, $child, and waits for the second point
+begin() {
+    "$SPH" study "$work/long.json" -o "$work/long" -q >"$work/out" 2>&1 &
+    child=$!
+    for _ in $(seq 100); do
+        [ "$(find "$work/long/runs" -name 'r0.log' 2>/dev/null | wc -l)" -ge 2 ] && break
+        sleep 0.1
+    done
+}
+# alone: whether no run of it is left, after a moment
+alone() {
+    for _ in $(seq 30); do
+        pgrep -f "$work/long/runs" >/dev/null || return 0
+        sleep 0.1
+    done
+    return 1
+}
+begin
+kill -INT "$child"
+wait "$child"
+[ $? = 130 ] && alone
+result $? "an interrupt ends with 130 and leaves no run"
+begin
+kill -KILL "$child"
+wait "$child" 2>/dev/null
+alone
+result $? "a kill leaves no run"
+ends "$work/long" >"$work/before"
+"$SPH" study "$work/long.json" -o "$work/long" --budget 1s -q >"$work/out" 2>&1
+code=$?
+ends "$work/long" | grep -F -x -f "$work/before" >"$work/after"
+[ "$code" = 0 ] && [ "$(wc -l <"$work/before")" = 1 ] && cmp -s "$work/before" "$work/after" &&
+    jq -e '[.points[].outcome] | .[0] == "done" and (.[1] == "left out" or .[1] == "late")' \
+        "$work/long/results.json" >"$work/out" 2>&1
+result $? "it goes on after a kill, as far as its budget goes"
+
+sed 's/"repeats": 1/"repeats": 3/; s/0.02, 1e5/0.02, 2e4/' "$work/long.json" >"$work/budget.json"
+"$SPH" study "$work/budget.json" -o "$work/budget" -b 0.001s -q >"$work/out" 2>&1 &&
+    grep -q '### Left out' "$work/budget/report.md" && grep -q 'budget is used up' "$work/budget/report.md"
+result $? "what a budget leaves out is said"
+
+# The coarser of two would reach its own image.
+sed 's/"max": \[1, 1, 1\]/"max": [1, 1, 1], "walls": "periodic"/; s/"min": \[0.2.*\]}/"min": [0, 0, 0], "max": [1, 1, 1]}/' \
+    "$work/scene.json" >"$work/periodic.json"
+sed 's/"time.end": \[0.02, 1e5\], //; s/\[0.1, 0.05\]/[0.2, 0.1]/; s/scene.json/periodic.json/' \
+    "$work/long.json" >"$work/stops.json"
+"$SPH" study "$work/stops.json" -o "$work/stops" -q >"$work/out" 2>&1 &&
+    jq -e '.points | map(.outcome) == ["stopped", "done"]' "$work/stops/results.json" >"$work/out" 2>&1 &&
+    grep -q 'spacing 0.2 (ladder end): stopped, .*its own image' "$work/stops/report.md"
+result $? "a run that stops is a point, and its cause is said"
+
+# refused LINE:COLUMN WHAT: study.json with a sed expression is refused there, and nothing is written
+refused() {
+    sed "$3" "$work/study.json" >"$work/bad.json"
+    "$SPH" study "$work/bad.json" -o "$work/bad" >"$work/out" 2>&1
+    [ $? = 2 ] && grep -q "bad.json:$1: " "$work/out" && [ ! -e "$work/bad" ]
+    result $? "refused: $2"
+}
+refused '[0-9]*:[0-9]*' "an unknown key" 's/"title"/"titel"/'
+refused '[0-9]*:[0-9]*' "an unknown norm" 's/"norm": "l2"/"norm": "l3"/'
+refused '[0-9]*:[0-9]*' "a figure that is none" 's/"name": "threads",/"name": "threads", "figure": "pie",/'
+refused '[0-9]*:[0-9]*' "a ladder of unequal lists" 's/"threads": \[1, 2\]/"threads": [1, 2], "time.cfl": [0.1]/'
+refused '[0-9]*:[0-9]*' "a key that scenes do not have" 's/"particles.spacing": \[/"particles.spacin": [/'
+refused '[0-9]*:[0-9]*' "no errors" 's/"errors"/"measured"/'
+refused '1:[0-9]*' "a file that is cut off" '2,$d'
+echo "1..$n"
