@@ -32,6 +32,11 @@ static void change_occlusion(struct scene *scene)
     scene->render.occlusion = 0.7;
     scene->particles.spacing = 0.016;
 }
+static void change_shadow(struct scene *scene)
+{
+    scene->render.shadow = 0.6;
+    scene->particles.spacing = 0.016;
+}
 static void change_projection(struct scene *scene)
 {
     scene->camera.projection = PROJECTION_ORTHOGRAPHIC;
@@ -90,7 +95,8 @@ static bool has(const char *isa)
 static void the_same_bits(void **state)
 {
     static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
-                                                       change_surface, change_occlusion, change_projection};
+                                                       change_surface, change_occlusion, change_projection,
+                                                       change_shadow};
     static const char *const isas[] = {"scalar", "avx2", "avx512"};
     (void)state;
     for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
@@ -110,12 +116,12 @@ static void the_same_bits(void **state)
 static void the_picture_of_opengl(void **state)
 {
     static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
-                                                       change_projection};
+                                                       change_projection, change_shadow};
     static const double radii[] = {0.002, 0.01, 0.08};
     const char *names[] = {"egl", "osmesa"};
     (void)state;
     for (size_t n = 0; n < 2; n++)
-        for (size_t c = 0; c < 12 && !variant_find(&render_table, names[n])->missing; c++) {
+        for (size_t c = 0; c < 15 && !variant_find(&render_table, names[n])->missing; c++) {
             struct image cpu, gl;
             size_t differing = 0;
             double radius = radii[c % 3];

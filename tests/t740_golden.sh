@@ -49,6 +49,9 @@ for style in none grid checker; do
 done
 golden water --renderer cpu --set render.style=surface --color solid
 result $? "water"
+shadow() { golden shadow --renderer "$1" --set render.shadow=0.5; }
+shadow cpu
+result $? "render.shadow=0.5"
 golden fading --renderer cpu --set 'render.background_top=[0.2, 0.3, 0.5]'
 result $? "fading background"
 golden cut --renderer cpu --set 'render.clip_max=[9, 0.2, 9]'
@@ -67,6 +70,8 @@ for renderer in egl osmesa; do
     result $? "$renderer: orthographic"
     golden faces --renderer $renderer --set render.box=faces
     result $? "$renderer: faces"
+    shadow $renderer
+    result $? "$renderer: render.shadow=0.5"
     for style in grid checker; do
         floor $style $renderer
         result $? "$renderer: render.floor=$style"

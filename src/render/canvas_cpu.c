@@ -255,12 +255,14 @@ static void background_make(const struct canvas *c, struct splat *splat)
 }
 
 /* Triangles of the domain; none where it is not shown. */
-static enum status domain_make(struct canvas *c, const struct camera *camera, struct error *e)
+static enum status domain_make(struct canvas *c, const struct camera *camera,
+                               const struct render_frame *frame, struct error *e)
 {
     const struct scene *scene = c->setup.scene;
     if (!wire_wanted(scene))
         return STATUS_OK;
-    if (wire_make(&c->wire, scene, camera, far_distance(c, camera), c->samples, e))
+    const struct wire_view view = {scene, camera, frame, far_distance(c, camera), c->samples, c->threads};
+    if (wire_make(&c->wire, &view, e))
         return e->status;
     const bool through = c->has_surface && !c->surface.opaque;
     if (blends_make(&c->blends, &c->wire, through ? BLEND_OVER : BLEND_ALL, c->width, c->height, e))
@@ -320,7 +322,7 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
     if (balls_make(&c->balls, &view, frame, e))
         return e->status;
     splat.balls = c->balls.ball;
-    if (domain_make(c, camera, e))
+    if (domain_make(c, camera, frame, e))
         return e->status;
     splat.blends = c->blends.blend;
     splat.blend_count = c->blends.count;

@@ -197,7 +197,8 @@ static enum status gl_draw(struct canvas *r, const struct camera *camera,
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (count)
         sprites_draw(&r->sprites, gl, count, camera, far);
-    if (wire_wanted(scene) && wire_draw(&r->wire, gl, scene, camera, far, r->samples, e))
+    const struct wire_view view = {scene, camera, frame, far, r->samples, 1};
+    if (wire_wanted(scene) && wire_draw(&r->wire, gl, &view, e))
         return e->status;
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, r->drawn);

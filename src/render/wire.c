@@ -10,6 +10,7 @@
 struct drawing {
     struct wire *wire;
     const struct scene *scene;
+    const struct wire_view *wished;
     struct mesh_view view;
     double half; /* of a line, drawn pixels */
     float ink;
@@ -64,25 +65,26 @@ static void layer_end(const struct drawing *d, float half_width, float alpha, bo
         .color = {d->ink, d->ink, d->ink, alpha}, .back = back};
 }
 
-/* The rectangle of a face between two places along each of the axes after its own. */
+static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}; /* corners of a rectangle */
+
+/* The rectangle of a face between two places along each of the axes after its own; cover as of mesh_face. */
 static void patch_make(const struct drawing *d, int axis, bool at_max, const double low[2],
-                       const double high[2])
+                       const double high[2], const float *cover)
 {
-    static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     double corner[4][3];
     for (int i = 0; i < 4; i++) {
         camera_corner(d->scene, at_max << axis, 0, corner[i]);
         for (int k = 0; k < 2; k++)
             corner[i][(axis + 1 + k) % 3] = around[i][k] ? high[k] : low[k];
     }
-    mesh_face(&d->wire->mesh, &d->view, (const double (*)[3])corner, NULL);
+    mesh_face(&d->wire->mesh, &d->view, (const double (*)[3])corner, cover);
 }
 
 static void face_make(const struct drawing *d, int axis, bool at_max)
 {
     const double *min = d->scene->domain.min, *max = d->scene->domain.max, low[2] = {0, 0};
     int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    patch_make(d, axis, at_max, low, (const double[2]){max[u] - min[u], max[v] - min[v]});
+    patch_make(d, axis, at_max, low, (const double[2]){max[u] - min[u], max[v] - min[v]}, NULL);
 }
 
 /* Squares of a floor: multiples of `step` m along the axes after its own. */
@@ -141,7 +143,26 @@ static void checker_make(const struct drawing *d, const struct squares *s)
     for (int i = 0; square_cut(s, 0, i, &low[0], &high[0]); i++)
         for (int j = 0; square_cut(s, 1, j, &low[1], &high[1]); j++)
             if ((i + j) % 2 == 0 && high[0] > low[0] && high[1] > low[1])
-                patch_make(d, s->axis, s->at_max, low, high);
+                patch_make(d, s->axis, s->at_max, low, high, NULL);
+}
+
+/* Cells of the grid that anything shades. */
+static void shadow_draw(const struct drawing *d, struct shadow_floor floor)
+{
+    struct shadow *s = &d->wire->shadow;
+    shadow_make(s, d->scene, d->wished->camera, floor, d->wished->frame, d->wished->threads);
+    for (int i = 0; i < s->cells[0]; i++)
+        for (int j = 0; j < s->cells[1]; j++) {
+            double low[2] = {i * s->cell[0], j * s->cell[1]};
+            double high[2] = {(i + 1) * s->cell[0], (j + 1) * s->cell[1]};
+            float taken[4], most = 0;
+            for (int k = 0; k < 4; k++) {
+                taken[k] = shadow_taken(s, i + around[k][0], j + around[k][1]);
+                most = fmaxf(most, taken[k]);
+            }
+            if (most > 1e-3F)
+                patch_make(d, floor.axis, floor.at_max, low, high, taken);
+        }
 }
 
 static void floor_make(const struct drawing *d, int axis, bool at_max)
@@ -157,6 +178,11 @@ static void floor_make(const struct drawing *d, int axis, bool at_max)
         grid_lines(d, &squares, 0);
         grid_lines(d, &squares, 1);
         layer_end(d, (float)(0.7 * d->half), 0.35F, true);
+    }
+    if (d->scene->render.shadow > 0) {
+        shadow_draw(d, (struct shadow_floor){axis, at_max});
+        layer_end(d, 0, (float)d->scene->render.shadow, false);
+        memset(d->wire->layers[d->wire->count - 1].color, 0, 3 * sizeof(float));
     }
 }
 
@@ -199,18 +225,19 @@ static void layer_repeat(const struct drawing *d, float alpha)
     w->layers[w->count++] = layer;
 }
 
-enum status wire_make(struct wire *w, const struct scene *scene, const struct camera *camera, double far,
-                      int samples, struct error *e)
+enum status wire_make(struct wire *w, const struct wire_view *view, struct error *e)
 {
+    const struct scene *scene = view->scene;
+    const struct camera *camera = view->camera;
     const double *back = scene->render.background;
     int axis;
     bool at_max;
     /* Lines have 1.4 pixels at 720 lines, and are never thinner than one. */
-    struct drawing d = {.wire = w, .scene = scene, .view = {*camera, far * 1e-4},
-                        .half = fmax(0.5, 0.7 * camera->height / 720) * samples,
+    struct drawing d = {.wire = w, .scene = scene, .wished = view, .view = {*camera, view->far * 1e-4},
+                        .half = fmax(0.5, 0.7 * camera->height / 720) * view->samples,
                         .ink = back[0] * 0.30 + back[1] * 0.59 + back[2] * 0.11 > 0.5 ? 0.0F : 1.0F};
-    d.view.camera.width *= samples;
-    d.view.camera.height *= samples;
+    d.view.camera.width *= view->samples;
+    d.view.camera.height *= view->samples;
     w->mesh.count = w->count = 0;
     w->parallel = camera->orthographic;
     floor_find(scene, &axis, &at_max);

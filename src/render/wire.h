@@ -1,10 +1,11 @@
-/* The domain: its floor, faces and edges, these faint where something is in front. */
+/* The domain: its floor with the fluid's shadow, faces and edges, these faint where something is in front. */
 #ifndef RENDER_WIRE_H
 #define RENDER_WIRE_H
 
 #include "render/mesh.h"
+#include "render/shadow.h"
 
-enum { WIRE_LAYERS = 10 };
+enum { WIRE_LAYERS = 11 };
 
 /* Triangles that are blended over the spheres, one layer after another. */
 struct wire_layer {
@@ -17,6 +18,7 @@ struct wire_layer {
 
 struct wire {
     struct mesh mesh;
+    struct shadow shadow;
     struct wire_layer layers[WIRE_LAYERS];
     size_t count;
     bool parallel; /* orthographic: the mesh has distances, not their inverse */
@@ -25,10 +27,18 @@ struct wire {
 /* Whether the scene shows anything of the domain. */
 bool wire_wanted(const struct scene *scene);
 
-/* `far` m is farther than all that is drawn, `samples` the pixels drawn per pixel shown, in x.
- * STATUS_RUN when memory is short. */
-enum status wire_make(struct wire *wire, const struct scene *scene, const struct camera *camera,
-                      double far, int samples, struct error *e);
+/* What is drawn, and how. */
+struct wire_view {
+    const struct scene *scene;
+    const struct camera *camera;
+    const struct render_frame *frame; /* whose particles cast the shadow */
+    double far;                       /* m, farther than all that is drawn */
+    int samples;                      /* pixels drawn per pixel shown, in x */
+    int threads;
+};
+
+/* STATUS_RUN when memory is short. */
+enum status wire_make(struct wire *wire, const struct wire_view *view, struct error *e);
 void wire_free(struct wire *wire);
 
 #endif

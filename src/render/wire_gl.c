@@ -50,14 +50,14 @@ static void layer_draw(const struct wire_gl *w, const struct gl *gl, const struc
     gl->DrawArrays(GL_TRIANGLES, (GLint)layer->first, (GLsizei)layer->count);
 }
 
-enum status wire_draw(struct wire_gl *w, const struct gl *gl, const struct scene *scene,
-                      const struct camera *camera, double far, int samples, struct error *e)
+enum status wire_draw(struct wire_gl *w, const struct gl *gl, const struct wire_view *view,
+                      struct error *e)
 {
     const struct wire *wire = &w->wire;
-    if (wire_make(&w->wire, scene, camera, far, samples, e))
+    if (wire_make(&w->wire, view, e))
         return e->status;
     gl->UseProgram(w->program);
-    gl->Uniform1f(w->far, (float)far);
+    gl->Uniform1f(w->far, (float)view->far);
     gl->Uniform1i(w->parallel, wire->parallel);
     gl->BindVertexArray(w->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, w->buffer);

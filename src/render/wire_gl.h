@@ -15,9 +15,8 @@ struct wire_gl {
 enum status wire_open(struct wire_gl *wire, const struct gl *gl, struct error *e);
 void wire_close(struct wire_gl *wire, const struct gl *gl);
 
-/* Draws over the spheres; `far` m is depth 1, `samples` the pixels drawn per pixel shown, in x.
- * STATUS_RUN when memory is short. */
-enum status wire_draw(struct wire_gl *wire, const struct gl *gl, const struct scene *scene,
-                      const struct camera *camera, double far, int samples, struct error *e);
+/* Draws over the spheres; view->far is depth 1. STATUS_RUN when memory is short. */
+enum status wire_draw(struct wire_gl *wire, const struct gl *gl, const struct wire_view *view,
+                      struct error *e);
 
 #endif

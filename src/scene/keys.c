@@ -229,6 +229,8 @@ const struct key scene_core_keys[] = {
      "dark rim of a particle", IN(render.outline)},
     {"render.occlusion", KEY_REAL, 0, "0", 0, 1, "", NULL,
      "how much darker particles are that others surround (renderer cpu)", IN(render.occlusion)},
+    {"render.shadow", KEY_REAL, 0, "0", 0, 1, "", NULL,
+     "how much light the fluid's soft shadow takes from the floor", IN(render.shadow)},
     {"render.clip_min", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL,
      "particles outside clip_min to clip_max are not drawn; auto: no bound", IN(render.clip_min)},
     {"render.clip_max", KEY_VEC3, KEY_AUTO, "\"auto\"", ANY, "m", NULL, "see clip_min",

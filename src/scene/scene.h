@@ -191,6 +191,7 @@ struct scene {
         int64_t samples;      /* of a pixel, in x and in y */
         double outline;       /* rim / radius */
         double occlusion;     /* ambient, 0..1 */
+        double shadow;        /* on the floor: light taken, 0..1 */
         double clip_min[3], clip_max[3]; /* m; NAN: no bound */
         double show_range[2]; /* of the colour's quantity; NAN: all */
         double radius;        /* drawn radius / spacing */
