@@ -10,7 +10,7 @@
 #include "render/camera.h"
 #include "render/render.h"
 
-enum { SHADOW_CELLS = 48, SHADOW_MARGIN = 2, SHADOW_NODES = SHADOW_CELLS + 1 + 2 * SHADOW_MARGIN };
+enum { SHADOW_CELLS = 32, SHADOW_MARGIN = 2, SHADOW_NODES = SHADOW_CELLS + 1 + 2 * SHADOW_MARGIN };
 
 /* Which face of the domain is the floor. */
 struct shadow_floor {
