@@ -49,6 +49,8 @@ for style in none grid checker; do
 done
 golden water --renderer cpu --set render.style=surface --color solid
 result $? "water"
+golden water-clear --renderer cpu --set render.style=surface --color solid --set render.transparent=true
+result $? "water over nothing"
 shadow() { golden shadow --renderer "$1" --set render.shadow=0.5; }
 shadow cpu
 result $? "render.shadow=0.5"

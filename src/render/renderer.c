@@ -1,6 +1,7 @@
 /* A renderer: what draws spheres and the domain, and what is written over it. */
 #include "render/render.h"
 
+#include "base/log.h"
 #include "base/vectors.h"
 #include "render/camera.h"
 #include "render/canvas.h"
@@ -28,11 +29,14 @@ static enum status any_open(struct renderer *r, struct error *e)
         const char *why = row->variant.missing;
         if (!why && row->open(&r->canvas, row, &r->setup, e) == STATUS_OK) {
             r->row = row;
-            if (!row->software(r->canvas))
+            if (!row->software(r->canvas)) {
+                if (used)
+                    log_detail("renderers passed over:%s", tried);
                 return STATUS_OK;
+            }
             row->close(r->canvas);
             r->canvas = NULL;
-            continue;
+            why = "there is no GPU, and cpu draws faster than OpenGL by software";
         }
         snprintf(tried + used, sizeof tried - used, "\n  %s: %.800s", row->variant.name,
                  why ? why : e->text);

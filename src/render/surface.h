@@ -20,7 +20,7 @@ struct surface {
     float *depth, *other;     /* INFINITY: nothing; each with SURFACE_PAD around the picture */
     float *thickness;         /* m */
     uint32_t *ball;           /* the sphere in front; UINT32_MAX: none */
-    uint8_t (*behind)[3];     /* the picture without fluid */
+    uint8_t (*behind)[4];     /* the picture without fluid */
     float reach;              /* samples of the filter's reach, times distance, m, unless parallel */
     bool parallel;            /* orthographic */
     float far, step;          /* m */

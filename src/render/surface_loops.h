@@ -160,10 +160,11 @@ static inline float surface_sky(float y, int k)
 #include "render/surface_refract.h"
 
 static inline void surface_sample(const struct splat *s, const struct surface *f, int x, int y,
-                                  const float back[3], float out[3])
+                                  const float back[4], float out[4])
 {
     const struct look *look = &s->look;
-    float n[3], behind[3] = {back[0], back[1], back[2]}, rx = s->lens * s->ray_x[x], ry = s->lens * s->ray_y[y], length = 1 / sqrtf(rx * rx + ry * ry + 1);
+    float n[3], behind[4] = {back[0], back[1], back[2], back[3]}, clear = 0;
+    float rx = s->lens * s->ray_x[x], ry = s->lens * s->ray_y[y], length = 1 / sqrtf(rx * rx + ry * ry + 1);
     surface_normal(s, f, x, y, n);
     float facing = (n[2] - n[0] * rx - n[1] * ry) * length;
     facing = facing > 0 ? facing < 1 ? facing : 1 : 0;
@@ -184,7 +185,13 @@ static inline void surface_sample(const struct splat *s, const struct surface *f
         float body = behind[k] * through + own * light * (1 - through);
         float c = body * (1 - mirror) + surface_sky(up, k) * mirror + 0.6F * g32 * g32;
         out[k] = c < 1 ? c : 1;
+        clear += through * (1.0F / 3);
     }
+    /* Alpha, where there is; colours are times it. */
+    float shine = 0.6F * g32 * g32;
+    out[3] = 1 - (1 - behind[3]) * clear * (1 - mirror) * (shine < 1 ? 1 - shine : 0);
+    for (int k = 0; k < 3 && s->planes == 4; k++)
+        out[k] = out[k] < out[3] ? out[k] : out[3];
 }
 
 static void surface_shade(const struct splat *s, const struct surface *f, struct tile *tile)
@@ -195,15 +202,14 @@ static void surface_shade(const struct splat *s, const struct surface *f, struct
         for (int k = 0; k < 4; k++)
             behind[k] = back_of(s, k, tile->top + y);
         for (int x = 0; x < tile->width; x++) {
-            float out[3] = {behind[0], behind[1], behind[2]};
+            float out[4] = {behind[0], behind[1], behind[2], 0};
             size_t at = surface_at(f, tile->left + x, tile->top + y);
             bool fluid = f->ball[at] != UINT32_MAX;
             tile->depth[y][x] = f->depth[at];
             if (fluid)
                 surface_sample(s, f, tile->left + x, tile->top + y, behind, out);
-            for (int k = 0; k < 3; k++)
+            for (int k = 0; k < 4; k++)
                 tile->color[k][y][x] = out[k];
-            tile->color[3][y][x] = fluid ? 1 : 0;
         }
     }
 }

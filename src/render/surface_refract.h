@@ -6,15 +6,15 @@ static void surface_behind(const struct splat *s, struct surface *f, struct tile
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < TILE; x++) {
             tile->depth[y][x] = INFINITY;
-            for (int k = 0; k < 3; k++)
+            for (int k = 0; k < 4; k++)
                 tile->color[k][y][x] = back_of(s, k, tile->top + y);
         }
     for (size_t i = 0; i < f->back_count; i++)
-        tile_blend(&f->back[i], tile, 3);
+        tile_blend(&f->back[i], tile, 4);
     for (int y = 0; y < tile->height; y++)
         for (int x = 0; x < tile->width; x++) {
             uint8_t *rgb = f->behind[surface_at(f, tile->left + x, tile->top + y)];
-            for (int k = 0; k < 3; k++)
+            for (int k = 0; k < 4; k++)
                 rgb[k] = (uint8_t)(int)(255 * tile->color[k][y][x] + 0.5F);
         }
 }
@@ -36,15 +36,15 @@ static inline float surface_exit(const struct surface *f, const float at[3], con
 }
 
 /* Between the four samples about a place in the picture; the nearest ones outside. */
-static inline void surface_look_up(const struct surface *f, float x, float y, float out[3])
+static inline void surface_look_up(const struct surface *f, float x, float y, float out[4])
 {
     x = x > 0 ? x < (float)(f->width - 1) ? x : (float)(f->width - 1) : 0;
     y = y > 0 ? y < (float)(f->height - 1) ? y : (float)(f->height - 1) : 0;
     int column = (int)x, row = (int)y;
     size_t right = column + 1 < f->width, below = row + 1 < f->height ? f->pitch : 0;
-    const uint8_t (*rgb)[3] = (const uint8_t (*)[3])f->behind + surface_at(f, column, row);
+    const uint8_t (*rgb)[4] = (const uint8_t (*)[4])f->behind + surface_at(f, column, row);
     float u = x - (float)column, v = y - (float)row;
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         float upper = (float)rgb[0][k] + u * ((float)rgb[right][k] - (float)rgb[0][k]);
         float lower = (float)rgb[below][k] + u * ((float)rgb[below + right][k] - (float)rgb[below][k]);
         out[k] = (upper + v * (lower - upper)) * (1 / 255.0F);
@@ -55,7 +55,7 @@ static inline void surface_look_up(const struct surface *f, float x, float y, fl
  * leaves as it came, and meets the domain's far side: the picture of that is seen. `n` and `facing` as in
  * surface_sample. */
 static inline void surface_refract(const struct splat *s, const struct surface *f, int x, int y,
-                                   const float n[3], float facing, float out[3])
+                                   const float n[3], float facing, float out[4])
 {
     const float eta = 1 / 1.333F, lens = s->lens, z = f->depth[surface_at(f, x, y)];
     float rx = lens * s->ray_x[x], ry = lens * s->ray_y[y], unit = 1 / sqrtf(rx * rx + ry * ry + 1);
