@@ -76,8 +76,12 @@ static enum status turn(struct schedule *s, struct study_point *point, int repea
     }
     if (point->outcome == OUTCOME_DONE)
         return record_times(point, s->directory, repeat, e);
-    if (repeat == 0)
+    if (repeat == 0) {
         log_info("%s: %s", point->folder, point->cause);
+    } else if (point->outcome == OUTCOME_LATE) { /* the first was not; a repeat less is no failure */
+        point->outcome = OUTCOME_DONE;
+        point->cause[0] = 0;
+    }
     return STATUS_OK;
 }
 
