@@ -69,15 +69,15 @@ static void write_row(const struct study_results *results, const struct study_er
     fputc('\n', out);
 }
 
-/* Wall time of the runs whose errors the table has. */
+/* Of the runs whose errors the table has; other programs hardly change it. */
 static void write_times(const struct study_results *results,
                         const struct columns_of_methods *columns, FILE *out)
 {
-    fputs("| | wall time, s | |", out);
+    fputs("| | processor time, s | |", out);
     for (size_t m = 0; m < columns->count; m++) {
         const struct study_point *point = point_of(results, columns->names[m]);
         char text[64];
-        text_number(point ? study_wall(point) : (double)NAN, text, sizeof text);
+        text_number(point ? study_cpu(point) : (double)NAN, text, sizeof text);
         fprintf(out, " %s |", text);
     }
     fputc('\n', out);
