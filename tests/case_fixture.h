@@ -4,7 +4,7 @@
 
 #include "run/measure.h"
 #include "run/run.h"
-#include "study/case.h"
+#include "study/cases/case.h"
 
 #include <math.h>
 #include <setjmp.h>

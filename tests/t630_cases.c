@@ -1,8 +1,8 @@
 /* Tests the validation cases: columns of the exact solution have no error, perturbed ones theirs. */
 #include "case_fixture.h"
 
-#include "study/exact.h"
-#include "study/martin_moyce.h"
+#include "study/reference/exact.h"
+#include "study/reference/martin_moyce.h"
 
 static void free_fall(void **state)
 {

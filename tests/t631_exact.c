@@ -1,12 +1,12 @@
 /* Tests exact solutions and fits of studies: equations by finite differences, invariants, limits and
  * known values. */
-#include "study/exact.h"
+#include "study/reference/exact.h"
 
 #include "particles/flows.h"
 #include "random.h"
-#include "study/columns.h"
-#include "study/fit.h"
-#include "study/martin_moyce.h"
+#include "study/reference/columns.h"
+#include "study/reference/fit.h"
+#include "study/reference/martin_moyce.h"
 
 #include <complex.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Orders, fronts and times to an error, of made-up points whose errors are known. */
 #include "study/crossing.h"
-#include "study/text.h"
+#include "study/products/text.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* What a method needs for an error, and errs after a time, between the rungs that were run. */
 #include "study/crossing.h"
 
-#include "study/text.h"
+#include "study/products/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* What a run did and how far it is from its references. */
-#include "study/formula.h"
+#include "study/reference/formula.h"
 #include "study/record.h"
 #include "study/report_read.h"
 

@@ -5,8 +5,8 @@
 #ifndef STUDY_STUDY_H
 #define STUDY_STUDY_H
 
-#include "study/case.h"
-#include "study/norm.h"
+#include "study/cases/case.h"
+#include "study/reference/norm.h"
 
 #include <stdbool.h>
 #include <stdint.h>

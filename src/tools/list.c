@@ -2,7 +2,7 @@
 #include "base/log.h"
 #include "base/suggest.h"
 #include "run/run.h"
-#include "study/products.h"
+#include "study/products/products.h"
 #include "tools/tools.h"
 
 #include <argp.h>

@@ -2,11 +2,11 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/output.h"
-#include "study/ledger.h"
-#include "study/map.h"
+#include "study/ledger/ledger.h"
+#include "study/map/map.h"
 #include "study/record.h"
 #include "study/schedule.h"
-#include "study/summary.h"
+#include "study/products/summary.h"
 #include "tools/tools.h"
 
 #include <argp.h>

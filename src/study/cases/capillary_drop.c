@@ -1,9 +1,9 @@
 /* Case "capillary-drop": a sphere that oscillates by surface tension in its second mode. */
 #include "base/memory.h"
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/exact.h"
-#include "study/fit.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/exact.h"
+#include "study/reference/fit.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* Cases "poiseuille" and "couette": velocity across channels that start from rest. */
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/exact.h"
-#include "study/norm.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/exact.h"
+#include "study/reference/norm.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* Cases "elliptic-drop" and "oscillating-drop": round drops, thin along z, that become ellipses. */
 #include "base/memory.h"
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/exact.h"
-#include "study/fit.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/exact.h"
+#include "study/reference/fit.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* Case "free-fall": height of what falls freely, against a parabola. */
-#include "study/case.h"
+#include "study/cases/case.h"
 
 #include <math.h>
 

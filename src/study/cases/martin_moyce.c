@@ -1,9 +1,9 @@
 /* Case "martin-moyce": front and height of a column of water that collapses, against experiment. */
-#include "study/martin_moyce.h"
+#include "study/reference/martin_moyce.h"
 
 #include "base/memory.h"
-#include "study/case.h"
-#include "study/case_scene.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
 
 #include <math.h>
 

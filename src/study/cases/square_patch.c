@@ -1,6 +1,6 @@
 /* Case "square-patch": a rotating square without forces, which keeps its energy and momentum. */
-#include "study/case.h"
-#include "study/case_scene.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* Case "standing-wave": frequency, damping and amplitude of a small wave. */
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/exact.h"
-#include "study/fit.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/exact.h"
+#include "study/reference/fit.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* Cases "hydrostatic" and "deep-column": tanks at rest with a free surface. Means and norms in time are
  * over the last 25 % of a run. */
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/fit.h"
-#include "study/norm.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/fit.h"
+#include "study/reference/norm.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* Case "hydrostatic-tilted": pressure in a full box with gravity of any direction. Means and norms in
  * time are over the last 25 % of a run. */
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/fit.h"
-#include "study/norm.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/fit.h"
+#include "study/reference/norm.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* Cases "taylor-green" and "beltrami": vortices that decay exponentially. */
 #include "base/memory.h"
-#include "study/case.h"
-#include "study/case_scene.h"
-#include "study/exact.h"
-#include "study/norm.h"
+#include "study/cases/case.h"
+#include "study/cases/case_scene.h"
+#include "study/reference/exact.h"
+#include "study/reference/norm.h"
 
 #include <math.h>
 

@@ -1,0 +1,42 @@
+/* Numbers as reports say them. */
+#include "study/products/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char text_none[] = "–";
+
+void text_number(double value, char *out, size_t size)
+{
+    if (isnan(value))
+        snprintf(out, size, "%s", text_none);
+    else if (value == floor(value) && fabs(value) < 1e8)
+        snprintf(out, size, "%.0f", value);
+    else
+        snprintf(out, size, "%.4g", value);
+}
+
+double text_scale(const char *unit)
+{
+    return strcmp(unit, "%") == 0 ? 100 : 1;
+}
+
+void text_error(double value, const char *unit, char *out, size_t size)
+{
+    if (isnan(value))
+        snprintf(out, size, "%s", text_none);
+    else
+        snprintf(out, size, "%.3g%s%s", value * text_scale(unit), unit[0] ? " " : "", unit);
+}
+
+void text_value(const char *value, char *out, size_t size)
+{
+    char *end;
+    double number = strtod(value, &end);
+    if (end == value || *end)
+        snprintf(out, size, "%s", value);
+    else
+        snprintf(out, size, "%.4g", number);
+}
