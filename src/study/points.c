@@ -1,6 +1,7 @@
 /* Makes the points of a study: the scene of each run, with what it measures, checked. */
 #include "base/memory.h"
 #include "particles/fill.h"
+#include "run/measure.h"
 #include "run/run.h"
 #include "study/set.h"
 
@@ -133,6 +134,31 @@ static enum status name_folder(struct study_point *point, const char *method, st
     return STATUS_OK;
 }
 
+/* Whether the run will have the columns that errors are of. */
+static enum status check_columns(const struct study *study, const struct scene *scene,
+                                 struct error *e)
+{
+    struct measures measures = {0};
+    double none = 0;
+    enum status status = measures_create(&measures, scene, 1, e);
+    double **values = calloc(measures.column_count + 1, sizeof *values);
+    if (!status && !values)
+        status = error_set(e, STATUS_RUN, "memory is short");
+    for (size_t k = 0; k < measures.column_count && values; k++)
+        values[k] = &none;
+    struct columns columns = {(char **)measures.columns, values, measures.column_count, 1};
+    for (size_t k = 0; k < study->asked_count && !status; k++) {
+        const struct study_asked *asked = &study->asked[k];
+        struct error what = {.status = STATUS_OK};
+        if (!columns_need(&columns, asked->column, &what))
+            status = error_set(e, STATUS_USAGE, "%s:%d:%d: %s", study->path, asked->line,
+                               asked->character, what.text);
+    }
+    free(values);
+    measures_free(&measures);
+    return status;
+}
+
 /* The scene with the settings of study, method and rung, in that order. */
 static enum status apply(struct study_point *point, const struct study *study,
                          const struct study_set *rung, const struct study_method *method,
@@ -171,6 +197,8 @@ static enum status point_create(struct study_point *point, const struct study *s
         status = load(point, study, &set, e);
     if (!status)
         status = run_check(point->scene, &options, e);
+    if (!status && method)
+        status = check_columns(study, point->scene, e);
     set_free(&set);
     if (status)
         return error_context(e, "%s, %s", study->path, method ? method->name : "the reference");

@@ -57,6 +57,7 @@ enum reference_kind {
 struct study_asked {
     char name[STUDY_NAME_SIZE];
     char column[KEY_TEXT_SIZE];
+    int line, character;          /* where the study names the column */
     const struct norm_row *norm;
     enum reference_kind kind;
     double value;

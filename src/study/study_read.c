@@ -1,5 +1,6 @@
 /* Reads a study file. */
 #include "study/read_value.h"
+#include "study/reference/formula.h"
 #include "study/set.h"
 
 #include <libgen.h>
@@ -289,6 +290,26 @@ static enum status read_ladders(struct reading *r)
     return count ? STATUS_OK : fail(r, list, "give at least one ladder, or leave the key out");
 }
 
+/* Whether formula or data can be used at all, before anything is run. */
+static enum status check_reference(struct reading *r, int node, const struct study_asked *asked)
+{
+    struct error e = {.status = STATUS_OK, .text = ""};
+    struct columns data = {0};
+    const char *const names[] = {asked->reference_column, asked->low, asked->high};
+    const double at = 0;
+    double value;
+    if (asked->formula)
+        formula_values(asked->formula, &at, 1, &value, &e);
+    if (asked->path && columns_read(&data, asked->path, &e) == STATUS_OK)
+        for (size_t k = 0; k < sizeof names / sizeof *names && !e.status; k++)
+            if (names[k][0])
+                columns_need(&data, names[k], &e);
+    columns_free(&data);
+    if (e.status == STATUS_USAGE)
+        return fail(r, json_member(&r->doc, node, asked->formula ? "formula" : "data"), e.text);
+    return e.status ? error_set(r->e, e.status, "%s", e.text) : STATUS_OK;
+}
+
 /* {"value": 1}, {"formula": "exp(-t)"}, {"data": "file.csv", "column": "x"}, "first" or "run" */
 static enum status read_reference(struct reading *r, int object, struct study_asked *asked)
 {
@@ -317,6 +338,8 @@ static enum status read_reference(struct reading *r, int object, struct study_as
         read_text(doc, node, "high", false, asked->high, sizeof asked->high, r->e))
         return r->e->status;
     asked->kind = asked->formula ? REFERENCE_FORMULA : asked->path ? REFERENCE_DATA : REFERENCE_VALUE;
+    if (check_reference(r, node, asked))
+        return r->e->status;
     return asked->kind == REFERENCE_VALUE && isnan(asked->value) ? fail(r, node, help) : STATUS_OK;
 }
 
@@ -334,6 +357,8 @@ static enum status read_asked(struct reading *r, int node, struct study_asked *a
         read_reference(r, node, asked))
         return r->e->status;
     asked->norm = (const struct norm_row *)norm;
+    json_position(&r->doc, r->doc.nodes[json_member(&r->doc, node, "column")].start - 1, &asked->line,
+                  &asked->character);
     snprintf(asked->name, sizeof asked->name, "%.60s, %s", asked->column, norm->name);
     return read_text(&r->doc, node, "name", false, asked->name, sizeof asked->name, r->e);
 }
