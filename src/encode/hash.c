@@ -1,4 +1,5 @@
 /* Encoder "hash": one line per frame on stdout, "index time state-hash pixel-hash". */
+#include "base/fnv.h"
 #include "encode/encode.h"
 
 #include <endian.h>
@@ -7,19 +8,18 @@
 #include <stdio.h>
 #include <string.h>
 
-/* FNV-1a (Fowler, Noll, Vo) over 64-bit little-endian words instead of bytes, with a shift so that
+/* FNV-1a over 64-bit little-endian words instead of bytes, with a shift so that
  * high bits reach low ones; the size is hashed last. */
 static uint64_t hash_bytes(const uint8_t *bytes, size_t size)
 {
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    const uint64_t prime = UINT64_C(0x100000001b3);
+    uint64_t hash = FNV_START;
     for (size_t i = 0; i < size; i += 8) {
         uint64_t word = 0;
         memcpy(&word, bytes + i, size - i < 8 ? size - i : 8);
-        hash = (hash ^ le64toh(word)) * prime;
+        hash = (hash ^ le64toh(word)) * FNV_PRIME;
         hash ^= hash >> 32;
     }
-    hash = (hash ^ size) * prime;
+    hash = (hash ^ size) * FNV_PRIME;
     return hash ^ hash >> 32;
 }
 

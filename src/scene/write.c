@@ -1,4 +1,5 @@
 /* Writes the scene in force: every key with its value, as a file that loads to the same scene. */
+#include "base/fnv.h"
 #include "scene/value.h"
 
 #include <errno.h>
@@ -145,7 +146,6 @@ void scene_write(const struct scene *scene, const struct vocabulary *vocabulary,
 
 uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabulary)
 {
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
@@ -153,8 +153,7 @@ uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabula
         return 0;
     scene_write(scene, vocabulary, out);
     fclose(out);
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ (unsigned char)text[i]) * UINT64_C(0x100000001b3);
+    uint64_t hash = fnv_bytes(FNV_START, text, size);
     free(text);
     return hash;
 }

@@ -1,4 +1,5 @@
 /* Makes the points of a study: the scene of each run, with what it measures, checked. */
+#include "base/fnv.h"
 #include "base/memory.h"
 #include "particles/fill.h"
 #include "run/measure.h"
@@ -92,14 +93,6 @@ static enum status set_products(const struct study *study, const struct scene *s
     return status ? status : set_say(set, "movie.size", picture, label, e);
 }
 
-/* FNV-1a. */
-static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
-{
-    for (const unsigned char *b = bytes, *end = b + size; b < end; b++)
-        hash = (hash ^ *b) * 0x100000001b3u;
-    return hash;
-}
-
 /* Of this program's file, so that another build does not take over its results. */
 static uint64_t program_hash(void)
 {
@@ -109,9 +102,9 @@ static uint64_t program_hash(void)
     FILE *file = hash ? NULL : fopen("/proc/self/exe", "rb");
     if (!file)
         return hash;
-    hash = 0xcbf29ce484222325u;
+    hash = FNV_START;
     while ((size = fread(block, 1, sizeof block, file)) > 0)
-        hash = hash_bytes(hash, block, size);
+        hash = fnv_bytes(hash, block, size);
     fclose(file);
     return hash;
 }
@@ -120,9 +113,9 @@ static uint64_t program_hash(void)
 static enum status name_folder(struct study_point *point, const char *method, struct error *e)
 {
     char plain[64];
-    uint64_t hash = hash_bytes(program_hash() ^ scene_hash(point->scene, &run_vocabulary),
+    uint64_t hash = fnv_bytes(program_hash() ^ scene_hash(point->scene, &run_vocabulary),
                                &point->threads, sizeof point->threads);
-    hash = hash_bytes(hash, point->isa, strlen(point->isa));
+    hash = fnv_bytes(hash, point->isa, strlen(point->isa));
     snprintf(plain, sizeof plain, "%.60s", method);
     for (char *p = plain; *p; p++)
         if (!isalnum((unsigned char)*p) && *p != '.')
