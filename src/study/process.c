@@ -25,10 +25,12 @@ static void on_signal(int number)
 
 void process_catch_signals(void)
 {
-    struct sigaction action = {.sa_handler = on_signal};
+    struct sigaction action = {.sa_handler = on_signal}, before;
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
-        sigaction(numbers[k], &action, NULL);
+        if (sigaction(numbers[k], NULL, &before) == 0 &&
+            (before.sa_handler != SIG_IGN || numbers[k] == SIGINT))
+            sigaction(numbers[k], &action, NULL);
 }
 
 bool process_interrupted(void)

@@ -24,7 +24,8 @@ bool process_found(const char *name);
 enum status process_run_other(const char *const *argv, const char *directory, const char *log,
                               struct process_end *end, struct error *e);
 
-/* From now on SIGINT, SIGTERM and SIGHUP stop the present child, and process_run with it. */
+/* From now on SIGINT, SIGTERM and SIGHUP stop the present child, and process_run with it. One that the
+ * caller ignores, as nohup does with SIGHUP, stays ignored, except SIGINT. */
 void process_catch_signals(void);
 
 /* Whether such a signal came. */
