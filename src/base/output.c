@@ -33,6 +33,25 @@ enum status output_check(const char *path, struct error *e)
     return STATUS_OK;
 }
 
+enum status output_make_directories(const char *path, struct error *e)
+{
+    char copy[PATH_MAX];
+    if (strlen(path) >= sizeof copy - 256) /* room for names in it */
+        return error_set(e, STATUS_OUTPUT, "directory \"%.100s...\": the name is too long", path);
+    strcpy(copy, path);
+    for (char *slash = copy; slash;) {
+        slash = strchr(slash + 1, '/');
+        if (slash)
+            *slash = 0;
+        if (mkdir(copy, 0777) && errno != EEXIST)
+            return error_set(e, STATUS_OUTPUT, "directory \"%s\" cannot be made: %s", copy,
+                             strerror(errno));
+        if (slash)
+            *slash = '/';
+    }
+    return STATUS_OK;
+}
+
 /* The holder before may have removed the file between our opening and locking it. */
 static bool still_named(int file, const char *path)
 {

@@ -10,6 +10,9 @@
 /* STATUS_OUTPUT unless the directory of `path` can be written, and what has the name is a file. */
 enum status output_check(const char *path, struct error *e);
 
+/* Makes a directory and those above it, as mkdir -p. STATUS_OUTPUT. */
+enum status output_make_directories(const char *path, struct error *e);
+
 /* While a claim is held no other claim of the same path succeeds, in this program or another, under
  * whatever spelling of the directory. It is an advisory lock of PATH.lock: it ends with the process,
  * however that ends, and a file left behind by a kill hinders nobody. */

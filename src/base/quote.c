@@ -1,4 +1,4 @@
-/* Quotes text as a JSON string. */
+/* Quotes text as a JSON string, and words for a shell. */
 #include "base/quote.h"
 
 #include <stdio.h>
@@ -33,4 +33,21 @@ bool json_quote(const char *text, char *out, size_t size)
     out[n++] = '"';
     out[n] = '\0';
     return whole;
+}
+
+void shell_quote(const char *word, FILE *out)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                "_-+=:,./%@";
+    if (*word && word[strspn(word, plain)] == 0) {
+        fputs(word, out);
+        return;
+    }
+    fputc('\'', out);
+    for (; *word; word++)
+        if (*word == '\'')
+            fputs("'\\''", out);
+        else
+            fputc(*word, out);
+    fputc('\'', out);
 }

@@ -164,9 +164,12 @@ static enum status judge_asked(const struct study_asked *asked, const struct col
     if (!status && !count)
         status = error_set(e, STATUS_RUN, "%s: the reference has no value in the run's time",
                            asked->name);
+    double error = status ? 0 : asked->norm->of(found, exact, count);
+    if (!isfinite(error))
+        status = error_set(e, STATUS_RUN, "%s: no part of the reference, which is 0 or no number",
+                           asked->name);
     if (!status) {
-        study_error_add(errors, asked->norm->of(found, exact, count), "%", asked->asked, "%s",
-                        asked->name);
+        study_error_add(errors, error, "%", asked->asked, "%s", asked->name);
         study_error_spread(errors, spread);
     }
     free(exact);
@@ -201,8 +204,9 @@ static enum status judge_errors(const struct study *study, struct study_point *p
     return e->status = STATUS_OK;
 }
 
-enum status study_judge(const struct study *study, struct study_point *point,
-                        const char *directory, const struct columns *reference, struct error *e)
+static enum status judge_point(const struct study *study, struct study_point *point,
+                               const char *directory, const struct columns *reference,
+                               struct error *e)
 {
     struct json report = {0};
     struct columns columns = {0};
@@ -222,5 +226,26 @@ enum status study_judge(const struct study *study, struct study_point *point,
     columns_free(&columns);
     free(path);
     free(rows);
+    return status;
+}
+
+enum status study_judge(const struct study *study, struct study_points *points,
+                        const char *directory, struct error *e)
+{
+    struct columns reference = {0};
+    bool has = false;
+    enum status status = STATUS_OK;
+    if (points->count && !points->items[0].ladder &&
+        points->items[0].outcome == OUTCOME_DONE) {
+        char *path = record_path(&points->items[0], directory, 0, "csv");
+        status = path ? columns_read(&reference, path, e)
+                      : error_set(e, STATUS_RUN, "memory is short");
+        has = !status;
+        free(path);
+    }
+    for (size_t k = 0; k < points->count && !status; k++)
+        if (points->items[k].repeats > 0)
+            status = judge_point(study, &points->items[k], directory, has ? &reference : NULL, e);
+    columns_free(&reference);
     return status;
 }

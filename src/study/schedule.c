@@ -3,15 +3,15 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/output.h"
 #include "study/process.h"
 #include "study/record.h"
 
-#include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 struct schedule {
     const struct study *study;
@@ -119,19 +119,10 @@ static void progress(const struct schedule *s, struct study_point *const *order,
     log_progress(done, fmin(done + work_left(s, order, next, repeat), s->budget), note);
 }
 
-static enum status make_directories(const char *directory, struct error *e)
-{
-    char runs[4096];
-    if (snprintf(runs, sizeof runs, "%s/runs", directory) >= (int)sizeof runs - 200)
-        return error_set(e, STATUS_OUTPUT, "%.100s...: the name is too long", directory);
-    if ((mkdir(directory, 0777) && errno != EEXIST) || (mkdir(runs, 0777) && errno != EEXIST))
-        return error_set(e, STATUS_OUTPUT, "%s: %s", directory, strerror(errno));
-    return STATUS_OK;
-}
-
 enum status study_run(const struct study *study, struct study_points *points,
                       const char *directory, double budget, struct error *e)
 {
+    char runs[PATH_MAX];
     struct schedule s = {study, points, directory, clock_seconds(), budget};
     struct study_point **order = memory_create("study order", points->count, sizeof *order, e);
     if (!order)
@@ -139,7 +130,8 @@ enum status study_run(const struct study *study, struct study_points *points,
     for (size_t k = 0; k < points->count; k++)
         order[k] = &points->items[k];
     qsort(order, points->count, sizeof *order, by_size);
-    enum status status = make_directories(directory, e);
+    snprintf(runs, sizeof runs, "%s/runs", directory);
+    enum status status = output_make_directories(runs, e);
     process_catch_signals();
     for (int repeat = 0; repeat < study->repeats && !status; repeat++)
         for (size_t k = 0; k < points->count && !status; k++) {

@@ -149,10 +149,10 @@ double study_pairs(const struct study_point *point);
 enum status study_default(const struct study *study, const struct study_method **method, bool *own,
                           struct error *e);
 
-/* Reads the files of a run's first repeat, and fills what it did and its errors. `reference`: the
- * columns of the run that is the reference, or NULL. STATUS_RUN when they cannot be read. */
-enum status study_judge(const struct study *study, struct study_point *point,
-                        const char *directory, const struct columns *reference, struct error *e);
+/* Reads what the first repeat of each point left, and fills what it did and its errors; one that did not
+ * reach what is compared is stopped. STATUS_RUN when the files cannot be read. */
+enum status study_judge(const struct study *study, struct study_points *points,
+                        const char *directory, struct error *e);
 
 /* |error| `plot` (place in errors.items) of a point that is done; else NAN. */
 double study_error_size(const struct study_point *point, size_t plot);

@@ -337,10 +337,10 @@ static enum status read_reference(struct reading *r, int object, struct study_as
         read_text(doc, node, "low", false, asked->low, sizeof asked->low, r->e) ||
         read_text(doc, node, "high", false, asked->high, sizeof asked->high, r->e))
         return r->e->status;
+    if (!isnan(asked->value) + !!asked->formula + !!asked->path != 1)
+        return fail(r, node, help);
     asked->kind = asked->formula ? REFERENCE_FORMULA : asked->path ? REFERENCE_DATA : REFERENCE_VALUE;
-    if (check_reference(r, node, asked))
-        return r->e->status;
-    return asked->kind == REFERENCE_VALUE && isnan(asked->value) ? fail(r, node, help) : STATUS_OK;
+    return check_reference(r, node, asked);
 }
 
 static enum status read_asked(struct reading *r, int node, struct study_asked *asked)

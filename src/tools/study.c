@@ -1,24 +1,19 @@
 /* sph-render study: error against run time over methods and ladders of settings. */
 #include "base/log.h"
 #include "base/memory.h"
-#include "base/output.h"
+#include "base/quote.h"
+#include "study/job.h"
 #include "study/ledger/ledger.h"
-#include "study/map/map.h"
-#include "study/record.h"
-#include "study/schedule.h"
 #include "study/products/summary.h"
 #include "tools/tools.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <libgen.h>
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <time.h>
 
 enum { STUDIES_MAX = 64 };
 
@@ -30,16 +25,7 @@ struct request {
     bool stability; /* the studies are stability maps */
     bool ledger;    /* they are scenes, each for a ledger */
     struct ledger_options scene; /* how */
-    char *command;
-};
-
-/* A study and its runs. */
-struct job {
-    struct study study;
-    struct study_points points;
-    struct study_about about;
-    struct output_claim claim;
-    char directory[PATH_MAX];
+    char *command, *directories[STUDIES_MAX]; /* owned; of each study's results */
 };
 
 /* "90", "90s", "20m", "1.5h" to seconds; NAN otherwise. */
@@ -116,71 +102,6 @@ static const struct argp_option options[] = {
     {"quiet", 'q', NULL, 0, "No progress, no messages but errors", 0},
     {0}};
 
-/* Multiply-adds a second of a fixed chain of them: how fast the machine is now. */
-static double machine_speed(void)
-{
-    enum { ROUNDS = 20000000 };
-    volatile float seed = 1.0f;
-    float x = seed, start_value = x;
-    double start = clock_seconds();
-    for (int k = 0; k < ROUNDS; k++)
-        x = x * 0.999999f + 1e-6f;
-    seed = x + start_value;
-    return ROUNDS / (clock_seconds() - start);
-}
-
-/* Fills errors of every point whose first run is done; the reference run first. */
-static enum status judge(const struct study *study, struct study_points *points,
-                         const char *directory, struct error *e)
-{
-    struct columns reference = {0};
-    bool has = false;
-    enum status status = STATUS_OK;
-    if (points->count && !points->items[0].ladder &&
-        points->items[0].outcome == OUTCOME_DONE) {
-        char *path = record_path(&points->items[0], directory, 0, "csv");
-        status = path ? columns_read(&reference, path, e)
-                      : error_set(e, STATUS_RUN, "memory is short");
-        has = !status;
-        free(path);
-    }
-    for (size_t k = 0; k < points->count && !status; k++)
-        if (points->items[k].repeats > 0)
-            status = study_judge(study, &points->items[k], directory, has ? &reference : NULL, e);
-    columns_free(&reference);
-    return status;
-}
-
-static enum status check_plots(const struct study *study, const struct study_points *points,
-                               struct error *e)
-{
-    bool any = false;
-    for (size_t k = 0; k < points->count; k++)
-        any = any || points->items[k].errors.count;
-    for (size_t k = 0; k < study->plot_count && any; k++)
-        if (study_error_place(points, study->plots[k]) < 0)
-            return error_set(e, STATUS_USAGE, "%s: \"plot\" names \"%s\", but there is no such error; "
-                             "results.csv has their names", study->path, study->plots[k]);
-    return STATUS_OK;
-}
-
-static void set_date(struct study_about *about)
-{
-    time_t now = time(NULL);
-    struct tm parts;
-    strftime(about->date, sizeof about->date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
-}
-
-static enum status write_map(const struct study_results *results, struct error *e)
-{
-    struct map map;
-    bool drawn;
-    if (map_make(&map, results, e) == STATUS_OK && map_write(&map, results, e) == STATUS_OK)
-        map_plot(&map, results->directory, &drawn, e);
-    map_free(&map);
-    return e->status;
-}
-
 /* Whether the file is of the kind that was asked for. */
 static enum status check_kind(const struct request *r, const struct study *study, struct error *e)
 {
@@ -190,40 +111,6 @@ static enum status check_kind(const struct request *r, const struct study *study
                      ? "%s: --stability, but the study has no \"map\"; leave the option out, or give the "
                        "key instead of \"ladders\""
                      : "%s: this is a stability map; add --stability", study->path);
-}
-
-static enum status work(struct job *job, double budget, struct error *e)
-{
-    struct study_results results = {&job->study, &job->points, &job->about, job->directory};
-    set_date(&job->about);
-    job->about.speed[0] = machine_speed();
-    if (study_run(&job->study, &job->points, job->directory, budget, e) ||
-        judge(&job->study, &job->points, job->directory, e))
-        return e->status;
-    job->about.speed[1] = machine_speed();
-    if (job->study.is_map)
-        return write_map(&results, e);
-    if (study_write(&results, e))
-        return e->status;
-    return check_plots(&job->study, &job->points, e);
-}
-
-/* As mkdir -p. */
-static enum status make_directories(const char *path, struct error *e)
-{
-    char copy[PATH_MAX];
-    if (snprintf(copy, sizeof copy, "%s", path) >= (int)sizeof copy)
-        return error_set(e, STATUS_OUTPUT, "-o %.100s...: the name is too long", path);
-    for (char *slash = copy; slash;) {
-        slash = strchr(slash + 1, '/');
-        if (slash)
-            *slash = 0;
-        if (mkdir(copy, 0777) && errno != EEXIST)
-            return error_set(e, STATUS_OUTPUT, "-o %s: %s: %s", path, copy, strerror(errno));
-        if (slash)
-            *slash = '/';
-    }
-    return STATUS_OK;
 }
 
 /* Its table also to standard output; STATUS_RUN when an absence is not proved. */
@@ -237,8 +124,8 @@ static enum status run_ledger(const struct request *r, const char *path, const c
     how.scene = path;
     how.directory = directory;
     how.repeats = r->repeats ? r->repeats : 5;
-    set_date(&about);
-    if (ledger_check(&how, e) || make_directories(directory, e) ||
+    about_date(&about);
+    if (ledger_check(&how, e) || output_make_directories(directory, e) ||
         output_claim(&claim, directory, e))
         return e->status;
     if (!ledger_make(&ledger, &how, e) && !ledger_write(&ledger, &about, e)) {
@@ -253,73 +140,74 @@ static enum status run_ledger(const struct request *r, const char *path, const c
 }
 
 /* DIR for one study, DIR/NAME for each of several. */
-static void name_directory(const struct request *r, const char *study, char *out, size_t size)
+static enum status name_directory(struct request *r, size_t k, struct error *e)
 {
     char copy[PATH_MAX];
-    snprintf(copy, sizeof copy, "%s", study);
-    char *name = basename(copy), *dot = strrchr(name, '.');
-    if (dot)
-        *dot = 0;
-    snprintf(out, size, "%s%s%s", r->directory, r->count > 1 ? "/" : "", r->count > 1 ? name : "");
+    snprintf(copy, sizeof copy, "%s", r->studies[k]);
+    const char *name = r->count > 1 ? basename(copy) : "", *dot = strrchr(name, '.');
+    if (asprintf(&r->directories[k], "%s%s%.*s", r->directory, *name ? "/" : "",
+                 (int)(dot ? dot - name : (long)strlen(name)), name) >= 0)
+        return STATUS_OK;
+    r->directories[k] = NULL;
+    return error_set(e, STATUS_RUN, "memory is short");
 }
 
-/* Reads and checks a study, and claims its directory. */
-static enum status job_open(struct job *job, const struct request *r, const char *path,
-                            struct error *e)
+/* Studies are told apart by the names of their files, which are those of their directories. */
+static enum status check_names(const struct request *r, struct error *e)
 {
-    job->claim.file = -1;
-    job->about.command = r->command;
-    if (study_read(&job->study, path, e) || check_kind(r, &job->study, e))
-        return e->status;
-    if (r->repeats)
-        job->study.repeats = r->repeats;
-    name_directory(r, path, job->directory, sizeof job->directory);
-    return study_points_create(&job->points, &job->study, e);
-}
-
-static void job_close(struct job *job)
-{
-    output_release(&job->claim);
-    study_points_free(&job->points);
-    study_free(&job->study);
+    for (size_t i = 0; i < r->count; i++)
+        for (size_t j = 0; j < i; j++)
+            if (strcmp(r->directories[i], r->directories[j]) == 0)
+                return error_set(e, STATUS_USAGE, "%s and %s would both be written to %s; give them one "
+                                 "by one, each its own -o", r->studies[j], r->studies[i],
+                                 r->directories[i]);
+    return STATUS_OK;
 }
 
 static enum status summarize(const struct request *r, struct job *jobs, struct error *e)
 {
     struct study_results all[STUDIES_MAX];
     for (size_t k = 0; k < r->count; k++)
-        all[k] = (struct study_results){&jobs[k].study, &jobs[k].points, &jobs[k].about,
-                                        jobs[k].directory};
+        all[k] = job_results(&jobs[k]);
     return study_summary(all, r->count, r->directory, e);
 }
 
 /* All are read before anything is run or written; those that are left share the budget that is. */
-static enum status run_all(const struct request *r, struct job *jobs, struct error *e)
+static enum status run_jobs(const struct request *r, struct job *jobs, struct error *e)
 {
     double start = clock_seconds();
     for (size_t k = 0; k < r->count; k++)
-        if (job_open(&jobs[k], r, r->studies[k], e))
+        if (job_open(&jobs[k], r->studies[k], r->directories[k], r->command, r->repeats, e) ||
+            check_kind(r, &jobs[k].study, e))
             return e->status;
     for (size_t k = 0; k < r->count; k++) {
         double left = r->budget - (clock_seconds() - start);
-        if (make_directories(jobs[k].directory, e) ||
-            output_claim(&jobs[k].claim, jobs[k].directory, e) ||
-            work(&jobs[k], left / (double)(r->count - k), e))
+        if (job_run(&jobs[k], left / (double)(r->count - k), e))
             return e->status;
     }
     return r->count > 1 && !r->stability ? summarize(r, jobs, e) : STATUS_OK;
 }
 
-static enum status run_ledgers(const struct request *r, struct error *e)
+static enum status run_studies(const struct request *r, struct error *e)
 {
-    for (size_t k = 0; k < r->count && !e->status; k++) {
-        char directory[PATH_MAX];
-        name_directory(r, r->studies[k], directory, sizeof directory);
-        run_ledger(r, r->studies[k], directory, e);
-    }
+    struct job *jobs = memory_create("studies", r->count, sizeof *jobs, e);
+    if (!jobs)
+        return e->status;
+    run_jobs(r, jobs, e);
+    for (size_t k = 0; k < r->count; k++)
+        job_close(&jobs[k]);
+    memory_free(jobs);
     return e->status;
 }
 
+static enum status run_ledgers(const struct request *r, struct error *e)
+{
+    for (size_t k = 0; k < r->count && !e->status; k++)
+        run_ledger(r, r->studies[k], r->directories[k], e);
+    return e->status;
+}
+
+/* As a shell would read it; malloc. */
 static char *join(int argc, char **argv)
 {
     char *text = NULL;
@@ -328,8 +216,10 @@ static char *join(int argc, char **argv)
     if (!out)
         return NULL;
     fputs("sph-render", out);
-    for (int k = 0; k < argc; k++)
-        fprintf(out, " %s", argv[k]);
+    for (int k = 0; k < argc; k++) {
+        fputc(' ', out);
+        shell_quote(argv[k], out);
+    }
     return fclose(out) == 0 ? text : NULL;
 }
 
@@ -346,18 +236,14 @@ static int study_run_tool(int argc, char **argv)
     argv[0] = name;
     if (argp_parse(&parser, argc, argv, 0, NULL, &r))
         e.status = STATUS_USAGE;
-    if (r.ledger && !e.status) {
-        run_ledgers(&r, &e);
-    } else if (!e.status) {
-        struct job *jobs = memory_create("studies", r.count, sizeof *jobs, &e);
-        if (jobs)
-            run_all(&r, jobs, &e);
-        for (size_t k = 0; jobs && k < r.count; k++)
-            job_close(&jobs[k]);
-        memory_free(jobs);
-    }
+    for (size_t k = 0; k < r.count && !e.status; k++)
+        name_directory(&r, k, &e);
+    if (!e.status && check_names(&r, &e) == STATUS_OK)
+        (r.ledger ? run_ledgers : run_studies)(&r, &e);
     if (e.status && e.text[0])
         log_error("%s", e.text);
+    for (size_t k = 0; k < r.count; k++)
+        free(r.directories[k]);
     free(r.command);
     return e.status;
 }

@@ -1,4 +1,5 @@
 /* Judges the cells of a stability map. */
+#include "study/products/text.h"
 #include "study/map/map.h"
 
 #include "base/memory.h"
@@ -78,11 +79,12 @@ static bool find_wrong(struct map_cell *cell)
     const struct study_errors *errors = &cell->point->errors;
     for (size_t k = 0; k < errors->count; k++) {
         const struct study_error *error = &errors->items[k];
-        double times = strcmp(error->unit, "%") == 0 ? 100 : 1;
+        char found[64], bound[64];
         if (isnan(error->asked) || fabs(error->value) <= error->asked)
             continue;
-        snprintf(cell->why, sizeof cell->why, "%s is %.3g %s, bound %.3g %s", error->name,
-                 times * error->value, error->unit, times * error->asked, error->unit);
+        text_error(error->value, error->unit, found, sizeof found);
+        text_error(error->asked, error->unit, bound, sizeof bound);
+        snprintf(cell->why, sizeof cell->why, "%s is %s, bound %s", error->name, found, bound);
         return true;
     }
     return false;

@@ -1,5 +1,6 @@
 /* Writes a stability map's tables: stability.csv, stability.json, report.md. */
 #include "study/products/fields.h"
+#include "study/products/text.h"
 #include "study/map/map.h"
 
 #include "base/output.h"
@@ -134,6 +135,22 @@ static void write_json(const struct map *map, const struct study_results *result
     fputs("]}\n", out);
 }
 
+static void markdown_cell(const char *text, FILE *out)
+{
+    fputc(' ', out);
+    text_markdown(text, out);
+    fputs(" |", out);
+}
+
+/* The beginning of a row: method, column and row of the map. */
+static void markdown_place(const struct map *map, const struct map_cell *cell, FILE *out)
+{
+    fputc('|', out);
+    markdown_cell(method_name(map, cell), out);
+    markdown_cell(x_label(map, cell), out);
+    markdown_cell(y_label(map, cell), out);
+}
+
 static size_t count_of(const struct map *map, size_t method, enum cell_kind kind)
 {
     size_t count = 0;
@@ -151,7 +168,8 @@ static void write_counts(const struct map *map, FILE *out)
     for (int kind = 0; kind < CELL_KINDS; kind++)
         fputs("---|", out);
     for (size_t m = 0; m < map->study->method_count; m++) {
-        fprintf(out, "\n| %s |", map->study->methods[m].name);
+        fputs("\n|", out);
+        markdown_cell(map->study->methods[m].name, out);
         for (int kind = 0; kind < CELL_KINDS; kind++)
             fprintf(out, " %zu |", count_of(map, m, (enum cell_kind)kind));
     }
@@ -165,10 +183,13 @@ static void write_bounds(const struct map *map, FILE *out)
     const struct study_errors *errors = some_errors(map);
     fputs("\n## Bounds\n\nWrong is beyond one of\n\n", out);
     for (size_t k = 0; errors && k < errors->count; k++) {
-        bool part = strcmp(errors->items[k].unit, "%") == 0;
-        if (!isnan(errors->items[k].asked))
-            fprintf(out, "- %s: %.4g %s\n", errors->items[k].name,
-                    (part ? 100 : 1) * errors->items[k].asked, errors->items[k].unit);
+        char bound[64];
+        if (!isnan(errors->items[k].asked)) {
+            text_error(errors->items[k].asked, errors->items[k].unit, bound, sizeof bound);
+            fputs("- ", out);
+            text_markdown(errors->items[k].name, out);
+            fprintf(out, ": %s\n", bound);
+        }
     }
 }
 
@@ -184,8 +205,9 @@ static void write_cells(const struct map *map, enum cell_kind kind, const char *
             fprintf(out, "\n## %s\n\n| method | %s | %s | why |\n|---|---|---|---|\n", title,
                     map->study->map[0].key, map->study->map[1].key);
         any = true;
-        fprintf(out, "| %s | %s | %s | %s |\n", method_name(map, cell), x_label(map, cell),
-                y_label(map, cell), cell->why);
+        markdown_place(map, cell, out);
+        markdown_cell(cell->why, out);
+        fputs("\n", out);
     }
 }
 
@@ -202,18 +224,21 @@ static void write_shortened(const struct map *map, FILE *out)
                          "most bound by |\n|---|---|---|---|---|---|---|\n",
                     map->study->map[0].key, map->study->map[1].key);
         any = true;
-        fprintf(out, "| %s | %s | %s | %.0f | %.0f | %.0f | %s (%.0f %%) |\n", method_name(map, cell),
-                x_label(map, cell), y_label(map, cell), cell->steps, cell->fewest, cell->rejected,
-                cell->bound, 100 * cell->bound_part);
+        markdown_place(map, cell, out);
+        fprintf(out, " %.0f | %.0f | %.0f | %s (%.0f %%) |\n", cell->steps, cell->fewest,
+                cell->rejected, cell->bound, 100 * cell->bound_part);
     }
 }
 
 static void write_report(const struct map *map, const struct study_results *results, FILE *out)
 {
-    fprintf(out, "# %s\n\n![map](stability.png)\n\n", map->study->title);
-    fprintf(out, "Columns: %s (`%s`). Rows: %s (`%s`). %zu runs of `%s`, %s, %s.\n\n    %s\n\n",
-            map->study->map[0].name, map->study->map[0].key, map->study->map[1].name,
-            map->study->map[1].key, map->count, map->study->scene, report_processor(),
+    fputs("# ", out);
+    text_markdown(map->study->title, out);
+    fputs("\n\n![map](stability.png)\n\nColumns: ", out);
+    text_markdown(map->study->map[0].name, out);
+    fprintf(out, " (`%s`). Rows: ", map->study->map[0].key);
+    text_markdown(map->study->map[1].name, out);
+    fprintf(out, " (`%s`). %zu runs of `%s`, %s, %s.\n\n    %s\n\n", map->study->map[1].key, map->count, map->study->scene, report_processor(),
             results->about->date, results->about->command);
     write_counts(map, out);
     fputs("\nCurves are the limits of the time step at the start:\n\n", out);

@@ -2,38 +2,28 @@
 #include "base/output.h"
 #include "study/products/plot_script.h"
 #include "study/products/sheet.h"
+#include "study/products/text.h"
 
-#include <string.h>
 #include <unistd.h>
-
-/* What Markdown would take for its own is said literally. */
-static void write_text(FILE *out, const char *text)
-{
-    for (; *text; text++) {
-        if (strchr("\\`*_[]<>|#", *text))
-            fputc('\\', out);
-        fputc(*text == '\n' ? ' ' : *text, out);
-    }
-}
 
 static void heading(struct sheet *sheet, int level, const char *text)
 {
     fprintf(sheet->out, "%s%.*s ", level > 1 ? "\n" : "", level, "####");
-    write_text(sheet->out, text);
+    text_markdown(text, sheet->out);
     fputs("\n\n", sheet->out);
 }
 
 static void paragraph(struct sheet *sheet, const char *text, bool warning)
 {
     fputs(warning ? "**Warning:** " : "", sheet->out);
-    write_text(sheet->out, text);
+    text_markdown(text, sheet->out);
     fputs("\n\n", sheet->out);
 }
 
 static void item(struct sheet *sheet, const char *text)
 {
     fputs("- ", sheet->out);
-    write_text(sheet->out, text);
+    text_markdown(text, sheet->out);
     fputs("\n", sheet->out);
 }
 
@@ -45,7 +35,7 @@ static void list(struct sheet *sheet, bool open)
 static void head(struct sheet *sheet, const char *text)
 {
     fputs(" ", sheet->out);
-    write_text(sheet->out, text);
+    text_markdown(text, sheet->out);
     fputs(" |", sheet->out);
 }
 
@@ -53,7 +43,7 @@ static void cell(struct sheet *sheet, const char *text, enum cell_style style)
 {
     const char *mark = style == CELL_BOLD ? "**" : "";
     fprintf(sheet->out, " %s", mark);
-    write_text(sheet->out, text);
+    text_markdown(text, sheet->out);
     fprintf(sheet->out, "%s |", mark);
 }
 
@@ -78,7 +68,7 @@ static void head_end(struct sheet *sheet, size_t columns)
 static void command(struct sheet *sheet, const char *name, const char *text)
 {
     fputs("- ", sheet->out);
-    write_text(sheet->out, name);
+    text_markdown(name, sheet->out);
     fprintf(sheet->out, ": `%s`\n", text);
 }
 
@@ -91,7 +81,7 @@ static enum status figure(struct sheet *sheet, const struct figure *figure, stru
         return STATUS_OK;
     figure_caption(figure, caption, sizeof caption);
     fputs("![", sheet->out);
-    write_text(sheet->out, caption);
+    text_markdown(caption, sheet->out);
     fprintf(sheet->out, "](plots/%s.png)\n\n", figure->stem);
     return STATUS_OK;
 }

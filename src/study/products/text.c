@@ -1,4 +1,4 @@
-/* Numbers as reports say them. */
+/* Numbers and words as reports say them. */
 #include "study/products/text.h"
 
 #include <math.h>
@@ -39,4 +39,13 @@ void text_value(const char *value, char *out, size_t size)
         snprintf(out, size, "%s", value);
     else
         snprintf(out, size, "%.4g", number);
+}
+
+void text_markdown(const char *text, FILE *out)
+{
+    for (; *text; text++) {
+        if (strchr("\\`*_[]<>|#", *text))
+            fputc('\\', out);
+        fputc(*text == '\n' ? ' ' : *text, out);
+    }
 }

@@ -1,8 +1,9 @@
-/* Numbers as reports say them. */
+/* Numbers and words as reports say them. */
 #ifndef STUDY_TEXT_H
 #define STUDY_TEXT_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 extern const char text_none[]; /* where there is no number */
 
@@ -14,6 +15,9 @@ void text_error(double value, const char *unit, char *out, size_t size);
 
 /* A rung's value, of a number four digits. */
 void text_value(const char *value, char *out, size_t size);
+
+/* What Markdown would take for its own is said literally. */
+void text_markdown(const char *text, FILE *out);
 
 /* How many of the unit a value of 1 is: 100 percents, else 1. */
 double text_scale(const char *unit);
