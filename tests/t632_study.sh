@@ -165,6 +165,20 @@ sed 's/"time.end": \[0.02, 1e5\], //; s/\[0.1, 0.05\]/[0.2, 0.1]/; s/scene.json/
     grep -q 'spacing 0.2 (ladder end): stopped, .*its own image' "$work/stops/report.md"
 result $? "a run that stops is a point, and its cause is said"
 
+python3 -c 'import csv, sys; sys.exit(len({len(row) for row in csv.reader(open(sys.argv[1]))}) != 1)' \
+    "$work/stops/results.csv" >"$work/out" 2>&1
+result $? "every line of results.csv has as many fields, also of what stopped"
+sed 's/"norm": "final", "asked": 0.1, "reference": {"value": 0.2}/"norm": "max", "reference": {"value": 0}/' \
+    "$work/study.json" >"$work/zero.json"
+"$SPH" study "$work/zero.json" -o "$work/zero" --repeats 1 >"$work/out" 2>&1 &&
+    grep -q 'by value: the reference is 0 or no number' "$work/out" &&
+    jq -e '[.points[] | select(.ladder != "reference").outcome] | all(. == "stopped")' \
+        "$work/zero/results.json" >>"$work/out" 2>&1
+result $? "an error that would be a part of 0 is none, and that is said"
+"$SPH" study "$work/long.json" "$work/long.json" -o "$work/twice" >"$work/out" 2>&1
+[ $? = 2 ] && [ ! -e "$work/twice" ]
+result $? "refused: the same study twice"
+
 # refused LINE:COLUMN WHAT: study.json with a sed expression is refused there, and nothing is written
 refused() {
     sed "$3" "$work/study.json" >"$work/bad.json"
@@ -178,5 +192,12 @@ refused '[0-9]*:[0-9]*' "a figure that is none" 's/"name": "threads",/"name": "t
 refused '[0-9]*:[0-9]*' "a ladder of unequal lists" 's/"threads": \[1, 2\]/"threads": [1, 2], "time.cfl": [0.1]/'
 refused '[0-9]*:[0-9]*' "a key that scenes do not have" 's/"particles.spacing": \[/"particles.spacin": [/'
 refused '[0-9]*:[0-9]*' "no errors" 's/"errors"/"measured"/'
+refused '[0-9]*:[0-9]*' "a column that is not measured" 's/"column": "extent.y.min"/"column": "extent.y.mid"/'
+refused '[0-9]*:[0-9]*' "data that are not there" 's/data.csv/no.csv/'
+refused '[0-9]*:[0-9]*' "a column that data lack" 's/"column": "height"/"column": "depth"/'
+refused '[0-9]*:[0-9]*' "two references at once" 's/{"value": 0.2}/{"value": 0.2, "data": "data.csv", "column": "height"}/'
+if [ -n "${formulas_in:-}" ]; then
+    refused '[0-9]*:[0-9]*' "a formula that is none" 's/0.2+0\*t/0.2+(t/'
+fi
 refused '1:[0-9]*' "a file that is cut off" '2,$d'
 echo "1..$n"

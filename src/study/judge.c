@@ -1,4 +1,5 @@
 /* What a run did and how far it is from its references. */
+#include "base/log.h"
 #include "study/reference/formula.h"
 #include "study/record.h"
 #include "study/report_read.h"
@@ -166,7 +167,7 @@ static enum status judge_asked(const struct study_asked *asked, const struct col
                            asked->name);
     double error = status ? 0 : asked->norm->of(found, exact, count);
     if (!isfinite(error))
-        status = error_set(e, STATUS_RUN, "%s: no part of the reference, which is 0 or no number",
+        status = error_set(e, STATUS_RUN, "%s: the reference is 0 or no number, and the error would be a part of it",
                            asked->name);
     if (!status) {
         study_error_add(errors, error, "%", asked->asked, "%s", asked->name);
@@ -201,6 +202,7 @@ static enum status judge_errors(const struct study *study, struct study_point *p
         return status;
     point->outcome = OUTCOME_STOPPED;
     snprintf(point->cause, sizeof point->cause, "%.390s", e->text);
+    log_info("%s: %s", point->folder, point->cause);
     return e->status = STATUS_OK;
 }
 
