@@ -156,7 +156,7 @@ static void write_name(struct script *s, char letter, const char *text)
         letters++;
         fprintf(s->out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
     }
-    fputs("\" noenhanced\n", s->out);
+    fputs(letter == 'x' ? "\\n\" noenhanced\n" : "\" noenhanced\n", s->out); /* room above the key */
 }
 
 static void write_axes(struct script *s)
