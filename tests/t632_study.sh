@@ -196,6 +196,9 @@ refused '[0-9]*:[0-9]*' "a column that is not measured" 's/"column": "extent.y.m
 refused '[0-9]*:[0-9]*' "data that are not there" 's/data.csv/no.csv/'
 refused '[0-9]*:[0-9]*' "a column that data lack" 's/"column": "height"/"column": "depth"/'
 refused '[0-9]*:[0-9]*' "two references at once" 's/{"value": 0.2}/{"value": 0.2, "data": "data.csv", "column": "height"}/'
+refused '[0-9]*:[0-9]*' "a figure of an error that is none" 's/"plot": \["by value"\]/"plot": ["by guess"]/'
+refused '[0-9]*:[0-9]*' "two ladders of one name" 's/"name": "threads"/"name": "resolution"/'
+refused '[0-9]*:[0-9]*' "no time for a run" 's/"plot"/"limit": 0, "plot"/'
 if [ -n "${formulas_in:-}" ]; then
     refused '[0-9]*:[0-9]*' "a formula that is none" 's/0.2+0\*t/0.2+(t/'
 fi

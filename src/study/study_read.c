@@ -287,6 +287,10 @@ static enum status read_ladders(struct reading *r)
     for (size_t k = 0; k < count; k++)
         if (read_ladder(r, set_value_at(&r->doc, list, k), &study->ladders[study->ladder_count++]))
             return r->e->status;
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = 0; j < i; j++)
+            if (strcmp(study->ladders[i].name, study->ladders[j].name) == 0)
+                return fail(r, set_value_at(&r->doc, list, i), "two ladders have the same name");
     return count ? STATUS_OK : fail(r, list, "give at least one ladder, or leave the key out");
 }
 
@@ -383,6 +387,14 @@ static enum status read_errors(struct reading *r)
     return STATUS_OK; /* without errors a study is one of times */
 }
 
+static bool has_error(const struct study *study, const char *name)
+{
+    for (size_t k = 0; k < study->asked_count; k++)
+        if (strcmp(study->asked[k].name, name) == 0)
+            return true;
+    return false;
+}
+
 static enum status read_plots(struct reading *r)
 {
     struct study *study = r->study;
@@ -398,6 +410,8 @@ static enum status read_plots(struct reading *r)
         if (r->doc.nodes[node].kind != JSON_STRING ||
             !json_string(&r->doc, node, study->plots[study->plot_count++], STUDY_NAME_SIZE))
             return fail(r, node, "give the name of an error");
+        if (!study->known && !has_error(study, study->plots[k])) /* a case's are known when it ran */
+            return fail(r, node, "there is no error of that name");
     }
     return STATUS_OK;
 }
@@ -427,7 +441,7 @@ static enum status read_study(struct reading *r)
         read_number(doc, 0, "interval", 1e-9, 1e9, &study->interval, r->e) ||
         read_number(doc, 0, "floor", 0, 1, &study->floor, r->e) ||
         read_number(doc, 0, "repeats", 1, STUDY_REPEATS_MAX, &repeats, r->e) ||
-        read_number(doc, 0, "limit", 0, INFINITY, &study->limit, r->e))
+        read_number(doc, 0, "limit", 1e-3, INFINITY, &study->limit, r->e))
         return r->e->status;
     study->known = (const struct case_row *)known;
     study->repeats = (int)repeats;
