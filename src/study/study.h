@@ -1,7 +1,7 @@
 /* A study: one scene over methods and ladders of settings, and what each run errs and takes.
  *
- * read (study_read.c) -> points, each with its scene (points.c) -> runs by child processes, in turns
- * (schedule.c) -> errors (judge.c) -> orders, fronts (analyse.c) -> tables and figures (products.c) */
+ * read (study_read.c, read_*.c) -> points, each with its scene (points.c) -> runs by child processes, in turns
+ * (schedule.c) -> errors (judge.c) -> orders, fronts (analyse.c) -> tables and figures (products/); job.c does it all */
 #ifndef STUDY_STUDY_H
 #define STUDY_STUDY_H
 
