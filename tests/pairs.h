@@ -188,30 +188,40 @@ static inline void cloud_free(struct cloud *c)
     free(c->rest);
 }
 
+/* The function of a pass, with or without wall particles; NULL when there is none. */
+static inline pair_function *cloud_find(const struct isa_row *isa, enum pair_pass pass,
+                                        unsigned flags, bool walls)
+{
+    static const struct position wall;
+    const struct work work = {.wall = walls ? &wall : NULL};
+    return isa_pair(isa, pass, &work, flags);
+}
+
 /* Runs a pass over the whole cloud; results are in `number` or in the field rate. */
 static inline void cloud_run(struct cloud *c, pair_function *pass)
 {
     struct particles *p = &c->particles;
     for (size_t i = 0; i < c->count; i++)
         c->rest[i] = c->rest_density[particles_fluid(p, i)];
-    struct diffusion_work diffusion = {&c->each, p->now[FIELD_GRADIENT]};
-    struct pair_work work = {.constants = c->constants,
-                             .diffusion = &diffusion,
-                             .rest = c->rest,
-                             .position = particles_position(p),
-                             .motion = particles_motion(p),
-                             .viscosity = p->now[FIELD_VISCOSITY],
-                             .density = particles_density(p),
-                             .rest_density = c->rest_density,
-                             .fluid = p->now[FIELD_FLUID],
-                             .rate = particles_rate(p),
-                             .number = c->number,
-                             .rows = c->rows.block,
-                             .row_count = c->rows.count,
-                             .wall = particles_position(&c->wall),
-                             .wall_rows = c->wall_rows.block,
-                             .wall_row_count = c->wall_rows.count,
-                             .count = c->count};
+    static struct solver_choice choice;
+    choice.each = c->each;
+    struct work work = {.constants = c->constants,
+                        .choice = &choice,
+                        .gradient = p->now[FIELD_GRADIENT],
+                        .rest = c->rest,
+                        .position = particles_position(p),
+                        .motion = particles_motion(p),
+                        .viscosity = p->now[FIELD_VISCOSITY],
+                        .density = particles_density(p),
+                        .fluid = p->now[FIELD_FLUID],
+                        .rate = particles_rate(p),
+                        .number = c->number,
+                        .rows = c->rows.block,
+                        .row_count = c->rows.count,
+                        .wall = particles_position(&c->wall),
+                        .wall_rows = c->wall_rows.block,
+                        .wall_row_count = c->wall_rows.count,
+                        .count = c->count};
     size_t blocks = (c->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
     pass(&work, 0, blocks / 2);
     pass(&work, blocks / 2, blocks);

@@ -73,7 +73,7 @@ static void check_density(struct cloud *c)
 {
     static float scalar[200];
     for (unsigned flags = 0; flags < 3; flags++) {
-        cloud_run(c, isa_scalar.find(PAIR_PASS_DENSITY, flags, false));
+        cloud_run(c, cloud_find(&isa_scalar, PAIR_PASS_DENSITY, flags, false));
         memcpy(scalar, c->number, c->count * sizeof *scalar);
         for (size_t i = 0; i < c->count; i++) {
             double exact = reference_number(c, flags, i);
@@ -82,7 +82,7 @@ static void check_density(struct cloud *c)
         }
         for (size_t k = 0; k < isa_count; k++) {
             memset(c->number, 0xff, c->count * sizeof *c->number);
-            cloud_run(c, isas[k]->find(PAIR_PASS_DENSITY, flags, false));
+            cloud_run(c, cloud_find(isas[k], PAIR_PASS_DENSITY, flags, false));
             if (memcmp(c->number, scalar, c->count * sizeof *scalar) != 0)
                 fail_msg("density pass of %s, kernel %u differs", isas[k]->variant.name, flags);
         }
@@ -96,8 +96,8 @@ static void run_diffusion(struct cloud *c, const struct isa_row *isa, unsigned f
     memset(c->particles.now[FIELD_GRADIENT], 0xff, c->count * sizeof(struct gradient));
     for (size_t i = 0; i < c->count; i++)
         rate[i] = (struct rate){{1, 2, 3}, (float)i};
-    cloud_run(c, isa->find(PAIR_PASS_GRADIENT, flags, false));
-    cloud_run(c, isa->find(PAIR_PASS_DIFFUSION, flags, false));
+    cloud_run(c, cloud_find(isa, PAIR_PASS_GRADIENT, flags, false));
+    cloud_run(c, cloud_find(isa, PAIR_PASS_DIFFUSION, flags, false));
 }
 
 static void check_diffusion(struct cloud *c)
@@ -124,13 +124,13 @@ static void check_force_bits(struct cloud *c, unsigned flags, bool walls)
 {
     static struct rate scalar[200];
     struct rate *rate = particles_rate(&c->particles);
-    pair_function *pass = isa_scalar.find(PAIR_PASS_FORCE, flags, walls);
+    pair_function *pass = cloud_find(&isa_scalar, PAIR_PASS_FORCE, flags, walls);
     memset(rate, 0xff, c->count * sizeof *rate);
     cloud_run(c, pass);
     memcpy(scalar, rate, c->count * sizeof *rate);
     for (size_t k = 0; k < isa_count; k++) {
         memset(rate, 0xff, c->count * sizeof *rate);
-        cloud_run(c, isas[k]->find(PAIR_PASS_FORCE, flags, walls));
+        cloud_run(c, cloud_find(isas[k], PAIR_PASS_FORCE, flags, walls));
         if (memcmp(rate, scalar, c->count * sizeof *rate) != 0)
             fail_msg("force pass of %s, flags %u%s differs, %zu particles", isas[k]->variant.name,
                      flags, walls ? " with walls" : "", c->count);
@@ -157,7 +157,7 @@ static void check_force(struct cloud *c)
 {
     for (unsigned flags = 0; flags < PAIR_FLAGS_END; flags++)
         for (int walls = 0; walls < 2; walls++) {
-            if (!isa_scalar.find(PAIR_PASS_FORCE, flags, walls))
+            if (!cloud_find(&isa_scalar, PAIR_PASS_FORCE, flags, walls))
                 continue;
             check_force_bits(c, flags, walls);
             check_force_values(c, flags, walls);
@@ -202,17 +202,17 @@ static void passes_exist(void **state)
             for (int v = 0; v < 3; v++) {
                 for (unsigned a = 0; a <= PAIR_ARTIFICIAL; a += PAIR_ARTIFICIAL) {
                     unsigned flags = PAIR_MULLER | viscosity[v] | a;
-                    assert_non_null(isas[k]->find(PAIR_PASS_FORCE, flags, walls));
+                    assert_non_null(cloud_find(isas[k], PAIR_PASS_FORCE, flags, walls));
                     if (viscosity[v] != PAIR_VISCOUS)
-                        assert_non_null(isas[k]->find(PAIR_PASS_FORCE, flags | PAIR_MIXED, walls));
+                        assert_non_null(cloud_find(isas[k], PAIR_PASS_FORCE, flags | PAIR_MIXED, walls));
                 }
                 for (unsigned rest = 0; rest < 24; rest++) {
                     unsigned flags = rest % 2 | (rest / 2 % 2) * PAIR_ARTIFICIAL |
                                      (rest / 4 % 2) * PAIR_SYMMETRIC | density[rest / 8] |
                                      viscosity[v];
                     if (!(flags & (PAIR_SYMMETRIC | PAIR_VISCOUS)))
-                        assert_non_null(isas[k]->find(PAIR_PASS_FORCE, flags | PAIR_MIXED, walls));
-                    if (!isas[k]->find(PAIR_PASS_FORCE, flags, walls))
+                        assert_non_null(cloud_find(isas[k], PAIR_PASS_FORCE, flags | PAIR_MIXED, walls));
+                    if (!cloud_find(isas[k], PAIR_PASS_FORCE, flags, walls))
                         fail_msg("%s has no pass for flags %u", isas[k]->variant.name, flags);
                 }
             }

@@ -2,6 +2,7 @@
 #ifndef BACKEND_BACKEND_H
 #define BACKEND_BACKEND_H
 
+#include "backend/scalars.h"
 #include "base/error.h"
 #include "base/variant.h"
 #include "grid/search.h"
@@ -20,7 +21,7 @@ struct backend_setup {
 /* Lists may reach this much further than the support; beyond it the loop sorts anew. */
 #define SKIN_MAX 0.25
 
-/* Scalars of one step, in and out. */
+/* Numbers of one step, in and out (struct scalars). */
 struct step {
     float dt;          /* s, for predict and correct */
     float before;      /* s: of the step before; 0 at the first, and where no solver needs it */
@@ -29,11 +30,25 @@ struct step {
     enum solve solve;         /* which solve the loop belongs to */
     float relax;              /* times the solver's relaxation */
     float momentum;           /* of its sweeps */
-    float target;             /* density ratio to aim at */
-    float offset;             /* mean compression of the last sweep, where enclosed */
     float resume;             /* part of the last step's shift that the next starts from */
     double residual;          /* left by the last sweep, as solve_limits count it */
 };
+
+/* What the loop sets, and what it reads back. */
+static inline void scalars_set(struct scalars *s, const struct step *step)
+{
+    s->dt = step->dt;
+    s->before = step->before;
+    s->resume = step->resume;
+    s->relax = step->relax;
+    s->momentum = step->momentum;
+    s->solve = step->solve;
+}
+static inline void scalars_get(const struct scalars *s, struct step *step)
+{
+    step->extremes = s->extremes;
+    step->residual = s->residual;
+}
 
 /* Work done so far. */
 struct backend_counts {

@@ -57,7 +57,8 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
     step->solve = solve_of(plan->passes[loop]->id);
     const struct solve_limits *limit = &plan->choice.solves[step->solve];
     double *relax = &s->relax[step->solve], best = INFINITY;
-    step->offset = 0;
+    if (step_pass(s, plan->passes[loop]->id, step, e))
+        return e->status;
     *relax = fmin(1, RELAX_GROWTH * *relax);
     for (int sweeps = 1, since = 1;; sweeps++, since++) {
         step->relax = (float)*relax;

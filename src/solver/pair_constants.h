@@ -2,7 +2,9 @@
 #ifndef SOLVER_PAIR_CONSTANTS_H
 #define SOLVER_PAIR_CONSTANTS_H
 
-/* Bit 0 is the kernel's (solver/kernels/bodies.h). */
+#define KERNEL_CUBIC 1u /* otherwise Wendland C2 (solver/kernels/bodies.h) */
+
+/* Bit 0 is the kernel's. */
 enum pair_flag {
     PAIR_MULLER = 2,         /* kernels of Mueller 2003 */
     PAIR_VISCOUS = 4,        /* all fluids share one dynamic viscosity */

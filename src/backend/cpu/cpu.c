@@ -40,24 +40,24 @@ static enum status allocate(struct backend *b, struct error *e)
         ok = ok && (!w || b->wall_axis[a]);
     }
     if (b->choice.is_implicit) {
-        b->residual = memory_create("residuals", 2 * (n / PARTICLE_BLOCK + 1),
+        b->arrays.residual = memory_create("residuals", 2 * (n / PARTICLE_BLOCK + 1),
                                     sizeof(int64_t), e);
-        ok = ok && b->residual;
+        ok = ok && b->arrays.residual;
         if (b->particles.now[FIELD_FLUID]) {
-            b->inverse_density = memory_create("kernel sums", padded, sizeof(float), e);
-            ok = ok && b->inverse_density;
+            b->arrays.inverse_density = memory_create("kernel sums", padded, sizeof(float), e);
+            ok = ok && b->arrays.inverse_density;
         }
     } else if (!b->choice.continuity) {
-        b->number = memory_create("kernel sums", padded, sizeof(float), e);
-        ok = ok && b->number;
+        b->arrays.number = memory_create("kernel sums", padded, sizeof(float), e);
+        ok = ok && b->arrays.number;
     }
     if (b->choice.flags & PAIR_MIXED) {
-        b->rest = memory_create("rest densities", padded, sizeof(float), e);
-        ok = ok && b->rest;
+        b->arrays.rest = memory_create("rest densities", padded, sizeof(float), e);
+        ok = ok && b->arrays.rest;
     }
     if (b->choice.tension.any && b->particles.now[FIELD_FLUID]) {
-        b->fluid = memory_create("fluids of neighbours", padded, sizeof(float), e);
-        ok = ok && b->fluid;
+        b->arrays.fluid = memory_create("fluids of neighbours", padded, sizeof(float), e);
+        ok = ok && b->arrays.fluid;
     }
     if (!ok || rows_create(&b->rows, n, b->threads, b->choice.projects, e) ||
         (w && rows_create(&b->wall_rows, n, b->threads, false, e)))
@@ -103,10 +103,10 @@ static enum status weigh_walls(struct backend *b, struct error *e)
         work.axis[a] = b->wall_axis[a];
     if (rows_build(&rows, &work, b->isa, true, e))
         goto done;
-    struct pair_work pairs = {.constants = b->choice.pair, .position = wall, .number = number,
-                              .rows = rows.block, .row_count = rows.count,
-                              .count = b->wall.count};
-    b->density(&pairs, 0, (b->wall.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK);
+    struct work pairs = {.constants = b->choice.pair, .position = wall, .number = number,
+                         .rows = rows.block, .row_count = rows.count, .count = b->wall.count};
+    isa_pair(b->isa, PAIR_PASS_DENSITY, &pairs, b->choice.flags)(
+        &pairs, 0, (b->wall.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK);
     for (size_t i = 0; i < b->wall.count; i++)
         wall[i].volume = b->choice.projects ? b->choice.projection.volume[0]
                                             : 1 / (b->choice.pair.density * number[i]);
@@ -133,11 +133,11 @@ static void cpu_close(struct backend *b)
     memory_free(b->order);
     memory_free(b->scratch);
     memory_free(b->spare);
-    memory_free(b->number);
-    memory_free(b->residual);
-    memory_free(b->inverse_density);
-    memory_free(b->fluid);
-    memory_free(b->rest);
+    memory_free(b->arrays.number);
+    memory_free(b->arrays.residual);
+    memory_free(b->arrays.inverse_density);
+    memory_free(b->arrays.fluid);
+    memory_free(b->arrays.rest);
     free(b);
 }
 
@@ -169,16 +169,17 @@ static enum status cpu_open(struct backend **out, const struct backend_setup *se
     *particles = *walls = (struct particles){0};
     if (choose_isa(b, setup->isa, e))
         goto failed;
-    b->density = b->isa->find(PAIR_PASS_DENSITY, b->choice.flags, false);
-    b->force = b->isa->find(PAIR_PASS_FORCE, b->choice.flags, b->wall.count > 0);
-    if (!b->force && !b->choice.is_implicit) {
+    struct work none = {0};
+    if (pair_find(PAIR_PASS_FORCE, &none, b->choice.flags) == BODY_COUNT && !b->choice.is_implicit) {
         error_set(e, STATUS_RUN, "no pair pass for flags %u", b->choice.flags);
         goto failed;
     }
     if (allocate(b, e) || (b->wall.count && weigh_walls(b, e)))
         goto failed;
-    if (b->choice.is_implicit)
-        cpu_solve_start(b);
+    if (b->choice.is_implicit) {
+        struct work work = cpu_work(b, PASS_SORT);
+        cpu_stage(&work, STAGE_rest_volumes);
+    }
     snprintf(b->text, sizeof b->text, "cpu (%s, %d thread%s)", b->isa->variant.name, b->threads,
              b->threads == 1 ? "" : "s");
     *out = b;
@@ -213,10 +214,59 @@ static enum status build_neighbours(struct backend *b, double radius, struct err
         if (rows_build(&b->wall_rows, &work, b->isa, false, e))
             return e->status;
     }
-    for (size_t i = 0; b->rest && i < b->particles.count; i++)
-        b->rest[i] = b->choice.each.rest_density[particles_fluid(&b->particles, i)];
+    if (b->arrays.rest) {
+        struct work pass = cpu_work(b, PASS_NEIGHBOURS);
+        cpu_stage(&pass, STAGE_rest_densities);
+    }
     b->counts.row_entries = b->rows.entries + b->wall_rows.entries;
     return STATUS_OK;
+}
+
+struct work cpu_work(struct backend *b, enum pass_id pass)
+{
+    struct work_rows rows = {b->rows.block, b->wall_rows.block, b->rows.count, b->wall_rows.count};
+    return work_make(pass, &b->choice, &b->choice, &b->scalars, &b->particles,
+                     b->wall.count ? particles_position(&b->wall) : NULL, &b->arrays, &rows);
+}
+
+/* Sums what the blocks left; of integers, it does not depend on their order. */
+static void gather_residual(struct backend *b, size_t blocks)
+{
+    int64_t error = 0, signed_error = 0;
+#pragma omp parallel for schedule(static) reduction(+ : error, signed_error)
+    for (size_t k = 0; k < blocks; k++) {
+        error += b->arrays.residual[2 * k];
+        signed_error += b->arrays.residual[2 * k + 1];
+    }
+    b->scalars.sums.fixed[0] = error;
+    b->scalars.sums.fixed[1] = signed_error;
+}
+
+void cpu_pair(struct backend *b, const struct work *work, enum pair_pass pass)
+{
+    size_t blocks = (work->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
+    pair_function *function = isa_pair(b->isa, pass, work, b->choice.flags);
+#pragma omp parallel for schedule(dynamic, 16)
+    for (size_t block = 0; block < blocks; block++)
+        function(work, block, block + 1);
+    b->counts.pairs += b->rows.entries + b->wall_rows.entries;
+    if (pass == PAIR_PASS_SWEEP)
+        gather_residual(b, blocks);
+}
+
+static void run_stages(struct backend *b, enum pass_id pass)
+{
+    size_t count;
+    const struct stage *stage = stages_of(pass, &count);
+    struct work work = cpu_work(b, pass);
+    for (size_t k = 0; k < count; k++) {
+        if (!stage_wanted(&stage[k], &b->choice, &work))
+            continue;
+        if (stage[k].is_pair)
+            cpu_pair(b, &work, stage[k].pair);
+        else
+            cpu_stage(&work, stage[k].id);
+    }
 }
 
 static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *step,
@@ -224,61 +274,16 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
 {
     double start = clock_seconds();
     e->status = STATUS_OK;
+    scalars_set(&b->scalars, step);
     switch (pass) {
     case PASS_SORT:
         cpu_sort(b, &b->particles, &b->cells, b->axis, step->list_radius, e);
         break;
     case PASS_NEIGHBOURS: build_neighbours(b, step->list_radius, e); break;
-    case PASS_PREDICT: cpu_predict(b, step); break;
-    case PASS_DENSITY: cpu_pairs(b, b->density); break;
-    case PASS_PRESSURE: cpu_pressure(b); break;
-    case PASS_FORCE: cpu_pairs(b, b->force); break;
-    case PASS_GRADIENT: cpu_diffusion(b, PAIR_PASS_GRADIENT); break;
-    case PASS_DIFFUSION: cpu_diffusion(b, PAIR_PASS_DIFFUSION); break;
-    case PASS_EXTERNAL: cpu_external(b, step); break;
-    case PASS_NORMALS: cpu_tension(b, PAIR_PASS_NORMALS, NULL); break;
-    case PASS_TENSION: cpu_tension(b, PAIR_PASS_TENSION, NULL); break;
-    case PASS_CURVATURE:
-        cpu_tension(b, PAIR_PASS_TENSION, b->particles.now[FIELD_DIRECTION]);
-        break;
-    case PASS_JUMP: cpu_projection(b, step, PAIR_PASS_JUMP); break;
-    case PASS_WALLS: cpu_walls(b); break;
-    case PASS_SHIFT: cpu_shift(b); break;
-    case PASS_CORRECT: cpu_correct(b, step); break;
-    case PASS_FACTOR: cpu_solve(b, step, PAIR_PASS_FACTOR); break;
-    case PASS_PUSH: cpu_solve(b, step, PAIR_PASS_PUSH); break;
-    case PASS_SWEEP: cpu_solve(b, step, PAIR_PASS_SWEEP); break;
-    case PASS_PROJECT: cpu_solve(b, step, PAIR_PASS_PROJECT); break;
-    case PASS_KICK: cpu_kick(b, step); break;
-    case PASS_DRAG_BEGIN: cpu_drag_begin(b, step); break;
-    case PASS_DRAG_DIAGONAL: cpu_solve(b, step, PAIR_PASS_DRAG_DIAGONAL); break;
-    case PASS_DRAG_RESIDUAL: cpu_drag_residual(b, step); break;
-    case PASS_DRAG_MATRIX: cpu_solve(b, step, PAIR_PASS_DRAG); break;
-    case PASS_DRAG_STEP: cpu_drag_step(b, step); break;
-    case PASS_DRAG_END: cpu_drag_end(b); break;
-    case PASS_RESUME: cpu_resume(b, step); break;
-    case PASS_MOVE: cpu_move(b, step); break;
-    case PASS_REWIND: cpu_rewind(b, step); break;
-    case PASS_STENCIL: cpu_projection(b, step, PAIR_PASS_STENCIL); break;
-    case PASS_SURFACE: cpu_projection(b, step, PAIR_PASS_SURFACE); break;
-    case PASS_ADVANCE: cpu_advance(b, step); break;
-    case PASS_FLOW: cpu_projection(b, step, PAIR_PASS_FLOW); break;
-    case PASS_CROWDING: cpu_crowding(b, step); break;
-    case PASS_PRODUCT: cpu_projection(b, step, PAIR_PASS_PRODUCT); break;
-    case PASS_RESIDUAL: cpu_residual(b, step); break;
-    case PASS_DESCENT: cpu_descent(b, step); break;
-    case PASS_SLOPES:
-        cpu_shifted(b);
-        cpu_projection(b, step, PAIR_PASS_SLOPES);
-        break;
-    case PASS_DRIFT: cpu_drift(b, step); break;
     case PASS_CURL: cpu_curl(b, step->list_radius, e); break;
-    case PASS_SOLVE_VELOCITY:
-    case PASS_SOLVE_SHIFT:
-    case PASS_SOLVE_VISCOSITY:
-    case PASS_SOLVED:
-    case PASS_COUNT: break;
+    default: run_stages(b, pass); break;
     }
+    scalars_get(&b->scalars, step);
     b->counts.seconds[pass] += clock_seconds() - start;
     b->counts.runs[pass]++;
     return e->status;

@@ -33,12 +33,12 @@ static enum status sum_curls(struct backend *b, struct particles *seen, struct c
     build.points = particles_position(seen);
     if (rows_build(rows, &build, b->isa, true, e))
         return e->status;
-    struct pair_work work = {.constants = b->choice.pair, .position = particles_position(seen),
+    struct work work = {.constants = b->choice.pair, .position = particles_position(seen),
                              .motion = particles_motion(seen), .rows = rows->block,
                              .row_count = rows->count, .count = seen->count,
                              .vorticity = particles_vorticity(seen)};
     work.constants.inverse_h = 1 / b->choice.each.h; /* some solvers keep a factor of theirs in it */
-    pair_function *pass = b->isa->find(PAIR_PASS_CURL, 0, false);
+    pair_function *pass = b->isa->pair[BODY_curl];
     size_t blocks = (seen->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
 #pragma omp parallel for schedule(dynamic, 16)
     for (size_t block = 0; block < blocks; block++)

@@ -13,6 +13,6 @@ const struct isa_row isa_scalar = {
     .supported = supported,
     .build = loops_build,
     .interleave = loops_interleave,
-    .find = loops_find,
+    .pair = loops_pair,
     .peak = loops_peak,
 };

@@ -6,7 +6,7 @@
 #ifndef SOLVER_KERNELS_BODIES_H
 #define SOLVER_KERNELS_BODIES_H
 
-#define KERNEL_CUBIC 1u /* otherwise Wendland C2 */
+#include "solver/pair_constants.h"
 
 /* Cubic spline (Monaghan & Lattanzio 1985): w = [(2-q)^3 - 4 (1-q)^3] / 4. */
 static inline __attribute__((always_inline)) real cubic_value(real q)
