@@ -27,27 +27,26 @@ struct step {
     float before;      /* s: of the step before; 0 at the first, and where no solver needs it */
     double list_radius;/* m, for sort and neighbours */
     struct extremes extremes; /* of the last predict, correct or move pass */
-    enum solve solve;         /* which solve the loop belongs to */
-    float relax;              /* times the solver's relaxation */
-    float momentum;           /* of its sweeps */
+    enum solve solve;         /* which solve the pass belongs to, or comes before */
+    bool looping;             /* the pass is of its loop */
+    struct loop loop;         /* of the solve, in at its begin and out after each sweep */
     float resume;             /* part of the last step's shift that the next starts from */
     double residual;          /* left by the last sweep, as solve_limits count it */
 };
 
-/* What the loop sets, and what it reads back. */
+/* What the time loop sets, and what it reads back. */
 static inline void scalars_set(struct scalars *s, const struct step *step)
 {
     s->dt = step->dt;
     s->before = step->before;
     s->resume = step->resume;
-    s->relax = step->relax;
-    s->momentum = step->momentum;
-    s->solve = step->solve;
+    s->loop = step->loop;
 }
 static inline void scalars_get(const struct scalars *s, struct step *step)
 {
     step->extremes = s->extremes;
     step->residual = s->residual;
+    step->loop = s->loop;
 }
 
 /* Work done so far. */

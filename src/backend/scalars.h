@@ -6,6 +6,7 @@
 #include "base/exact_sum.h"
 #include "solver/explicit.h"
 #include "solver/implicit.h"
+#include "solver/loop.h"
 
 enum { SCALAR_SUMS = 4 };
 
@@ -16,14 +17,14 @@ struct scalar_sums {
 };
 
 struct scalars {
-    /* from the loop */
+    /* from the time loop */
     float dt;          /* s, of the step */
     float before;      /* s: of the step before; 0 at the first, and where no solver needs it */
     float resume;      /* part of the last step's shift that the next starts from */
+    struct loop loop;  /* of the present solve */
+    /* between passes */
     float relax;       /* times the solver's relaxation */
     float momentum;    /* of its sweeps */
-    enum solve solve;  /* which solve the loop belongs to */
-    /* between passes */
     float target;      /* density ratio to aim at */
     float offset;      /* mean compression of the last sweep, where enclosed */
     float mean;        /* over the particles, where enclosed; else 0 */
@@ -32,7 +33,7 @@ struct scalars {
     double product;    /* of viscosity's residual with itself, preconditioned, J/m^3 */
     double scale2;     /* what residuals of viscosity are relative to */
     struct scalar_sums sums;
-    /* back to the loop */
+    /* back to the time loop, with the solve's */
     struct extremes extremes; /* of the last predict, correct or move pass */
     double residual;   /* left by the last sweep, as solve_limits count it */
 };

@@ -27,6 +27,7 @@ static const struct pass_stages {
     [PASS_SOLVE_VELOCITY] = {1, {RUN(loop_begins)}},
     [PASS_SOLVE_SHIFT] = {1, {RUN(loop_begins)}},
     [PASS_SOLVE_VISCOSITY] = {1, {RUN(loop_begins)}},
+    [PASS_SOLVED] = {1, {RUN(loop_goes_on)}},
     [PASS_PUSH] = {1, {PAIRS(PUSH)}},
     [PASS_SWEEP] = {2, {PAIRS(SWEEP), RUN(swept)}},
     [PASS_PROJECT] = {1, {PAIRS(PROJECT)}},

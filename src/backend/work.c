@@ -66,13 +66,16 @@ static float *inverse_of(enum pass_id pass, const struct solver_choice *choice,
                                                                         : NULL;
 }
 
-struct work work_make(enum pass_id pass, const struct solver_choice *choice,
+struct work work_make(enum pass_id pass, enum solve solve, bool looping,
+                      const struct solver_choice *choice,
                       const struct solver_choice *there, struct scalars *scalars,
                       const struct particles *p, const struct position *wall,
                       const struct work_arrays *arrays, const struct work_rows *rows)
 {
     return (struct work){
         .count = p->count,
+        .solve_of = solve,
+        .looping = looping,
         .constants = choice->pair,
         .choice = there,
         .scalars = scalars,

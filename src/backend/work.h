@@ -73,6 +73,8 @@ struct state_work {
 /* Arrays are those of struct particles. */
 struct work {
     size_t count;
+    enum solve solve_of;       /* that the pass belongs to, or comes before */
+    bool looping;              /* a sweep of it: nothing to do when it has ended */
     struct pair_constants constants;
     const struct solver_choice *choice; /* where bodies run */
     struct scalars *scalars;            /* there, too */
@@ -115,7 +117,8 @@ struct work_rows {
 };
 
 /* What a pass works on. `choice` is read here, bodies read it at `there`. */
-struct work work_make(enum pass_id pass, const struct solver_choice *choice,
+struct work work_make(enum pass_id pass, enum solve solve, bool looping,
+                      const struct solver_choice *choice,
                       const struct solver_choice *there, struct scalars *scalars,
                       const struct particles *particles, const struct position *wall,
                       const struct work_arrays *arrays, const struct work_rows *rows);

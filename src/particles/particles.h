@@ -84,6 +84,7 @@ void particles_free(struct particles *particles);
 /* Exchanges the present state with the one before, in the fields that keep both. */
 void particles_swap(struct particles *particles);
 
+#ifndef __cplusplus /* CUDA sees addresses in struct work only */
 static inline struct position *particles_position(const struct particles *p)
 {
     return p->now[FIELD_POSITION];
@@ -113,6 +114,7 @@ static inline int particles_fluid(const struct particles *p, size_t i)
     const uint8_t *fluid = p->now[FIELD_FLUID];
     return fluid ? fluid[i] : 0;
 }
+#endif
 
 /* Hash of the state: ids, positions, velocities and densities; independent of the order in memory. */
 uint64_t particles_hash(const struct particles *particles);

@@ -12,23 +12,6 @@ enum status step_pass(struct simulation *s, enum pass_id pass, struct step *step
     return s->row->run(s->backend, pass, step, e);
 }
 
-/* Whether a loop goes on after another sweep; counts it. */
-static bool sweep_again(struct simulation *s, const struct step *step, int sweeps)
-{
-    const struct solve_limits *limit = &s->plan->choice.solves[step->solve];
-    struct solve_stats *stats = &s->stats.solves[step->solve];
-    bool solved = step->residual <= limit->tolerance;
-    stats->sweeps++;
-    stats->most = sweeps > stats->most ? sweeps : stats->most;
-    stats->residual = step->residual;
-    bool ended = sweeps >= limit->most || !isfinite(step->residual);
-    if (ended && !solved)
-        stats->unsolved++;
-    if (s->plan->choice.enclosed && !s->plan->choice.projects && step->solve == SOLVE_SHIFT)
-        return sweeps < ENCLOSED_SWEEPS;
-    return sweeps < limit->least || (!ended && !solved);
-}
-
 /* Runs passes k.. of the plan up to the next one of kind `end`, once. */
 static enum status run_passes(struct simulation *s, size_t first, size_t last, struct step *step,
                               struct error *e)
@@ -46,6 +29,28 @@ static enum solve solve_of(enum pass_id loop)
                                           : SOLVE_VELOCITY;
 }
 
+/* How a solve of the plan goes on; it begins with the relaxation of the last step's, eased. */
+static struct loop loop_of(struct simulation *s, enum solve solve)
+{
+    const struct solver_choice *c = &s->plan->choice;
+    const struct solve_limits *limit = &c->solves[solve];
+    bool evens = c->enclosed && !c->projects && solve == SOLVE_SHIFT;
+    return (struct loop){.tolerance = limit->tolerance, .least = limit->least, .most = limit->most,
+                         .exactly = evens ? ENCLOSED_SWEEPS : 0, .momentum = limit->momentum,
+                         .adapts = !c->projects,
+                         .relax = fmin(1, RELAX_GROWTH * s->relax[solve])};
+}
+
+static void count_loop(struct simulation *s, const struct step *step)
+{
+    struct solve_stats *stats = &s->stats.solves[step->solve];
+    s->relax[step->solve] = step->loop.relax;
+    stats->sweeps += step->loop.sweeps;
+    stats->unsolved += step->loop.unsolved;
+    stats->most = step->loop.sweeps > stats->most ? step->loop.sweeps : stats->most;
+    stats->residual = step->residual;
+}
+
 /* Repeats the loop that begins at pass `loop`; sets *end to its last. */
 static enum status run_loop(struct simulation *s, size_t loop, size_t *end, struct step *step,
                             struct error *e)
@@ -55,25 +60,17 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
     while (plan->passes[*end]->kind != PASS_END)
         ++*end;
     step->solve = solve_of(plan->passes[loop]->id);
-    const struct solve_limits *limit = &plan->choice.solves[step->solve];
-    double *relax = &s->relax[step->solve], best = INFINITY;
+    step->loop = loop_of(s, step->solve);
     if (step_pass(s, plan->passes[loop]->id, step, e))
         return e->status;
-    *relax = fmin(1, RELAX_GROWTH * *relax);
-    for (int sweeps = 1, since = 1;; sweeps++, since++) {
-        step->relax = (float)*relax;
-        step->momentum = (float)(limit->momentum * (since - 1) / (since + 2)); /* Nesterov 1983 */
-        if (run_passes(s, loop + 1, *end, step, e))
+    step->looping = true;
+    do {
+        if (run_passes(s, loop + 1, *end + 1, step, e))
             return e->status;
-        if (!sweep_again(s, step, sweeps))
-            return STATUS_OK;
-        best = fmin(best, step->residual);
-        if (!plan->choice.projects && !(step->residual <= 1.5 * best)) { /* disorder narrows the window of the lattice */
-            *relax *= 0.6;
-            best = step->residual;
-            since = 0;
-        }
-    }
+    } while (step->loop.again);
+    step->looping = false;
+    count_loop(s, step);
+    return STATUS_OK;
 }
 
 /* Whether a pass reports extremes, hence particles that must not move so. */

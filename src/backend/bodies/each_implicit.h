@@ -98,12 +98,25 @@ static inline void scalar_swept(const struct work *w)
     double offset;
     s->residual = scalar_fixed_mean(w, 0);
     offset = scalar_fixed_mean(w, 1);
-    s->offset = w->choice->enclosed && s->solve == SOLVE_VELOCITY ? (float)offset : 0;
+    s->offset = w->choice->enclosed && w->solve_of == SOLVE_VELOCITY ? (float)offset : 0;
 }
 
+/* Before the first sweep of a solve, and after each. */
 static inline void scalar_loop_begins(const struct work *w)
 {
-    w->scalars->offset = 0;
+    struct scalars *s = w->scalars;
+    s->offset = 0;
+    loop_begin(&s->loop);
+    s->relax = (float)s->loop.relax;
+    s->momentum = loop_momentum(&s->loop);
+}
+
+static inline void scalar_loop_goes_on(const struct work *w)
+{
+    struct scalars *s = w->scalars;
+    loop_next(&s->loop, s->residual);
+    s->relax = (float)s->loop.relax;
+    s->momentum = loop_momentum(&s->loop);
 }
 
 #endif

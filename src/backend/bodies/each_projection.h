@@ -63,7 +63,7 @@ static inline double scalar_residual_scale(const struct work *w)
 {
     const struct projection_constants *c = &w->choice->projection;
     double n = work_particles(w), dt = (double)w->scalars->before;
-    if (w->scalars->solve == SOLVE_SHIFT)
+    if (w->solve_of == SOLVE_SHIFT)
         return 1 / ((double)c->gain * n);
     return dt * dt / (2 * (double)c->reference * n);
 }

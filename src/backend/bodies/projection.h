@@ -250,8 +250,8 @@ FORCE_INLINE void product_sum(const struct work *w, size_t i)
         const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
         const float *weight = row.weight + (size_t)k * PARTICLE_BLOCK;
         for (int line = 0; line < 2; line++) { /* beyond the end: the next block's */
-            __builtin_prefetch(index + PREFETCH + line * PARTICLE_BLOCK);
-            __builtin_prefetch(weight + PREFETCH + line * PARTICLE_BLOCK);
+            rows_prefetch(index + PREFETCH + line * PARTICLE_BLOCK);
+            rows_prefetch(weight + PREFETCH + line * PARTICLE_BLOCK);
         }
         even = real_fma(real_load(weight), lookup_load(t->direction, index), even);
         odd = real_fma(real_load(weight + PARTICLE_BLOCK),
@@ -277,7 +277,7 @@ static inline void slopes_store(const struct work *w, size_t k, const float sum[
     float rest = w->choice->projection.reference, half = 0.5f * w->choice->each.h;
     float lighter = w->choice->projection.lighter[work_fluid(w, k)];
     float d[9], beyond[3], gradient[3][3];
-    static const float none[3];
+    const float none[3] = {0, 0, 0};
     for (int a = 0; a < 9; a++)
         d[a] = half * settled(sum[a]);
     for (int a = 0; a < 3; a++)

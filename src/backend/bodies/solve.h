@@ -83,7 +83,7 @@ FORCE_INLINE void push_store(const struct work *w, size_t k, const float sum[3],
     float a[3], volume = w->choice->implicit.volume[fluid];
     implicit_push(&w->choice->each, &w->choice->implicit, fluid, &solve->factor[k], motion->pressure, sum, a);
     for (int d = 0; d < 3; d++) {
-        float v = (w->scalars->solve == SOLVE_SHIFT ? 0 : motion->velocity[d]) + w->scalars->dt * a[d];
+        float v = (w->solve_of == SOLVE_SHIFT ? 0 : motion->velocity[d]) + w->scalars->dt * a[d];
         if (project)
             motion->velocity[d] = v;
         else
@@ -118,12 +118,12 @@ FORCE_INLINE void sweep_store(const struct work *w, size_t k, float sum)
     const struct solve_work *solve = &w->solve;
     int fluid = work_fluid(w, k);
     float ratio = solve->factor[k].ratio;
-    float base = implicit_base(&w->choice->implicit, w->scalars->solve, ratio, w->scalars->target), raw;
+    float base = implicit_base(&w->choice->implicit, w->solve_of, ratio, w->scalars->target), raw;
     float *pressure = &solve->motion[k].pressure, error;
     error = implicit_sweep(&w->choice->implicit, fluid, w->scalars->dt, base, w->scalars->offset, &raw,
                            &solve->factor[k],
                            solve->flux[k].velocity, sum,
-                           implicit_holds(&w->choice->implicit, w->scalars->solve, ratio),
+                           implicit_holds(&w->choice->implicit, w->solve_of, ratio),
                            w->scalars->relax, w->scalars->momentum,
                            &solve->warm[k].last, pressure);
     solve->load[k].volume = w->choice->implicit.volume[fluid] * *pressure;

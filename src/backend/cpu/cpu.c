@@ -177,7 +177,7 @@ static enum status cpu_open(struct backend **out, const struct backend_setup *se
     if (allocate(b, e) || (b->wall.count && weigh_walls(b, e)))
         goto failed;
     if (b->choice.is_implicit) {
-        struct work work = cpu_work(b, PASS_SORT);
+        struct work work = cpu_work(b, PASS_SORT, 0);
         cpu_stage(&work, STAGE_rest_volumes);
     }
     snprintf(b->text, sizeof b->text, "cpu (%s, %d thread%s)", b->isa->variant.name, b->threads,
@@ -215,17 +215,17 @@ static enum status build_neighbours(struct backend *b, double radius, struct err
             return e->status;
     }
     if (b->arrays.rest) {
-        struct work pass = cpu_work(b, PASS_NEIGHBOURS);
+        struct work pass = cpu_work(b, PASS_NEIGHBOURS, 0);
         cpu_stage(&pass, STAGE_rest_densities);
     }
     b->counts.row_entries = b->rows.entries + b->wall_rows.entries;
     return STATUS_OK;
 }
 
-struct work cpu_work(struct backend *b, enum pass_id pass)
+struct work cpu_work(struct backend *b, enum pass_id pass, enum solve solve)
 {
     struct work_rows rows = {b->rows.block, b->wall_rows.block, b->rows.count, b->wall_rows.count};
-    return work_make(pass, &b->choice, &b->choice, &b->scalars, &b->particles,
+    return work_make(pass, solve, false, &b->choice, &b->choice, &b->scalars, &b->particles,
                      b->wall.count ? particles_position(&b->wall) : NULL, &b->arrays, &rows);
 }
 
@@ -254,11 +254,11 @@ void cpu_pair(struct backend *b, const struct work *work, enum pair_pass pass)
         gather_residual(b, blocks);
 }
 
-static void run_stages(struct backend *b, enum pass_id pass)
+static void run_stages(struct backend *b, enum pass_id pass, enum solve solve)
 {
     size_t count;
     const struct stage *stage = stages_of(pass, &count);
-    struct work work = cpu_work(b, pass);
+    struct work work = cpu_work(b, pass, solve);
     for (size_t k = 0; k < count; k++) {
         if (!stage_wanted(&stage[k], &b->choice, &work))
             continue;
@@ -281,7 +281,7 @@ static enum status cpu_run(struct backend *b, enum pass_id pass, struct step *st
         break;
     case PASS_NEIGHBOURS: build_neighbours(b, step->list_radius, e); break;
     case PASS_CURL: cpu_curl(b, step->list_radius, e); break;
-    default: run_stages(b, pass); break;
+    default: run_stages(b, pass, step->solve); break;
     }
     scalars_get(&b->scalars, step);
     b->counts.seconds[pass] += clock_seconds() - start;

@@ -39,7 +39,7 @@ enum status cpu_curl(struct backend *b, double radius, struct error *e);
 void cpu_part(struct backend *b, float near);
 
 /* What a pass works on. */
-struct work cpu_work(struct backend *b, enum pass_id pass);
+struct work cpu_work(struct backend *b, enum pass_id pass, enum solve solve);
 
 /* Runs a pair body over all blocks. */
 void cpu_pair(struct backend *b, const struct work *work, enum pair_pass pass);

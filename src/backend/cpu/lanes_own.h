@@ -19,3 +19,8 @@ static inline __attribute__((always_inline)) void residual_count(const struct wo
     residual[0] += error;
     residual[1] += signed_error;
 }
+
+static inline __attribute__((always_inline)) void rows_prefetch(const void *entry)
+{
+    __builtin_prefetch(entry);
+}
