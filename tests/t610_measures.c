@@ -24,7 +24,7 @@ static void take(double time)
     if (!measures.count &&
         measures_create(&measures, w.scene, w.plan.bodies.count, &w.error))
         fail_msg("%s", w.error.text);
-    measures_take(&measures, w.scene, &w.plan.space, &w.plan.choice, s->row->state(s->backend),
+    measures_take(&measures, w.scene, &w.plan.space, &w.plan.choice, world_state(&w),
                   time);
 }
 
@@ -54,7 +54,7 @@ static void done(void)
 /* The state, to be changed by the test. */
 static struct motion *motions(void)
 {
-    return (struct motion *)w.simulation.row->state(w.simulation.backend)->now[FIELD_MOTION];
+    return (struct motion *)world_state(&w)->now[FIELD_MOTION];
 }
 
 static void sums_of_a_moving_block(void **state)
@@ -90,7 +90,7 @@ static void density_error_has_three_parts(void **state)
 {
     (void)state;
     world_open(&w, SCENE(DOWN, MOVING, "0", "{\"quantity\": \"density-error\"}"));
-    float *density = w.simulation.row->state(w.simulation.backend)->now[FIELD_DENSITY];
+    float *density = world_state(&w)->now[FIELD_DENSITY];
     for (size_t i = 0; i < 64; i++)
         density[i] = i < 16 ? 1020 : 990; /* +0.02 of a quarter, -0.01 of the rest */
     take(0);

@@ -57,7 +57,8 @@ static inline void world_close(struct world *w)
 
 static inline const struct particles *world_state(struct world *w)
 {
-    return w->simulation.row->state(w->simulation.backend);
+    struct error e = {0};
+    return w->simulation.row->state(w->simulation.backend, UINT32_MAX, &e);
 }
 
 /* Coordinate of the particle at place i in memory, m. */

@@ -16,6 +16,8 @@ struct backend_setup {
     const struct search_row *search;
     const char *isa;  /* row of "isas", or "auto" */
     int threads;      /* 0: all processors */
+    int device;       /* of cuda */
+    bool timed;       /* each pass is timed by itself, though it would be queued */
 };
 
 /* Lists may reach this much further than the support; beyond it the loop sorts anew. */
@@ -71,8 +73,11 @@ struct backend_row {
     void (*begin)(struct backend *backend);
     /* Undoes begin and all passes since: the state before is the present one again. */
     void (*reject)(struct backend *backend);
-    /* The present particles in host memory, in any order; valid until the next call. */
-    const struct particles *(*state)(struct backend *backend);
+    /* Waits for what run has queued and fills in *step what it left; NULL: run does not queue. */
+    enum status (*settle)(struct backend *backend, struct step *step, struct error *e);
+    /* `fields` of the present particles in host memory, in any order; valid until the next call. NULL
+     * when they cannot be had. */
+    const struct particles *(*state)(struct backend *backend, unsigned fields, struct error *e);
     const struct particles *(*walls)(struct backend *backend);
     const struct backend_counts *(*counts)(struct backend *backend);
     /* "cpu (avx512, 2 threads)" */
@@ -84,5 +89,7 @@ struct backend_row {
 
 extern const struct variant_table backend_table; /* "backends" */
 extern const struct backend_row backend_cpu;
+extern const struct backend_row backend_cuda; /* only with CUDA=1 */
+extern const struct backend_row backend_cuda_host; /* of tests: not in the table */
 
 #endif

@@ -22,7 +22,7 @@ static const struct pass_stages {
     [PASS_JUMP] = {1, {PAIRS(JUMP)}},
     [PASS_WALLS] = {1, {RUN(walls)}},
     [PASS_SHIFT] = {1, {PAIRS(SHIFT)}},
-    [PASS_CORRECT] = {2, {RUN(no_extremes), RUN(correct)}},
+    [PASS_CORRECT] = {1, {RUN(correct)}},
     [PASS_FACTOR] = {4, {WHEN(INVERSE, inverse_densities), PAIRS(FACTOR), WHEN(ENCLOSED, excess), RUN(target)}},
     [PASS_SOLVE_VELOCITY] = {1, {RUN(loop_begins)}},
     [PASS_SOLVE_SHIFT] = {1, {RUN(loop_begins)}},
@@ -70,6 +70,17 @@ const char *stage_name(const struct stage *stage)
 #undef STAGE
     };
     return stage->is_pair ? pair_pass_name(stage->pair) : names[stage->id];
+}
+
+bool stage_is_scalar(const struct stage *stage)
+{
+    enum { EACH, EXTREMES, BLOCKS, SUMS, FIXED, SCALAR };
+    static const char kinds[STAGE_COUNT] = {
+#define STAGE(kind, name, terms) kind,
+#include "backend/bodies/stage_list.h"
+#undef STAGE
+    };
+    return !stage->is_pair && kinds[stage->id] == SCALAR;
 }
 
 bool stage_wanted(const struct stage *stage, const struct solver_choice *choice,

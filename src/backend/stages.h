@@ -32,6 +32,9 @@ enum { STAGES_MAX = 6 };
 /* Stages of a pass in order; *count is 0 for passes that back ends do in their own ways. */
 const struct stage *stages_of(enum pass_id pass, size_t *count);
 
+/* Whether a stage works on the scalars alone. */
+bool stage_is_scalar(const struct stage *stage);
+
 /* Name of a stage, for messages. */
 const char *stage_name(const struct stage *stage);
 

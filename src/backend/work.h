@@ -92,6 +92,7 @@ struct work {
     struct gradient *gradient; /* of density diffusion by gradients */
     float *vorticity;          /* written by the curl pass, 1/s */
     float *number;             /* written by the density pass: sum w, to be scaled */
+    struct position *parted;   /* places of particles that were moved apart */
     const struct row_block *rows;
     const uint32_t *row_count; /* neighbours of each particle, padded to blocks */
     const struct position *wall;         /* wall particles, or NULL */
@@ -122,6 +123,12 @@ struct work work_make(enum pass_id pass, enum solve solve, bool looping,
                       const struct solver_choice *there, struct scalars *scalars,
                       const struct particles *particles, const struct position *wall,
                       const struct work_arrays *arrays, const struct work_rows *rows);
+
+/* Whether the pass is of a solve that has ended: sweeps may be queued before that is known. */
+static inline bool work_ended(const struct work *w)
+{
+    return w->looping && !w->scalars->loop.again;
+}
 
 /* How many particles there are, to divide by. */
 static inline double work_particles(const struct work *w)

@@ -2,7 +2,8 @@
  *
  * Canonical order is cell by cell (x fastest, then y, z) and by id within a cell. Particles are kept
  * in that order in memory, so "neighbours in canonical order" means "by ascending index", and every
- * neighbour search that yields ascending indices gives the same sums to the last bit. */
+ * neighbour search that yields ascending indices gives the same sums to the last bit. The inline
+ * functions are in the common subset of C and CUDA. */
 #ifndef GRID_CELLS_H
 #define GRID_CELLS_H
 
@@ -47,5 +48,47 @@ struct range {
     uint32_t first, last;
 };
 enum { RANGES_MAX = 18 };
+
+/* The up to three cells around `c` along one axis, ascending and without repeats. */
+static inline int cells_around(uint32_t c, uint32_t size, bool periodic, uint32_t out[3])
+{
+    int n = 0;
+    if (periodic && c + 1 == size && size > 2)
+        out[n++] = 0;
+    if (c > 0)
+        out[n++] = c - 1;
+    out[n++] = c;
+    if (c + 1 < size)
+        out[n++] = c + 1;
+    if (periodic && c == 0 && size > 2)
+        out[n++] = size - 1;
+    return n;
+}
+
+/* Candidates of a point: those of the 27 cells around it, as ranges of ascending indices; returns how many
+ * ranges. */
+static inline int cells_ranges(const struct cells *cells, const uint32_t point[3],
+                               struct range out[RANGES_MAX])
+{
+    uint32_t near[3][3];
+    int length[3], n = 0;
+    for (int a = 0; a < 3; a++)
+        length[a] = cells_around(cells_axis(cells, a, point[a]), cells->size[a], cells->periodic[a],
+                           near[a]);
+    for (int z = 0; z < length[2]; z++)
+        for (int y = 0; y < length[1]; y++) {
+            const uint32_t *row =
+                cells->start + ((size_t)near[2][z] * cells->size[1] + near[1][y]) * cells->size[0];
+            for (int x = 0; x < length[0];) { /* adjacent cells make one range */
+                int first = x++;
+                while (x < length[0] && near[0][x] == near[0][x - 1] + 1)
+                    x++;
+                struct range r = {row[near[0][first]], row[near[0][x - 1] + 1]};
+                if (r.first < r.last)
+                    out[n++] = r;
+            }
+        }
+    return n;
+}
 
 #endif

@@ -116,6 +116,10 @@ static inline int particles_fluid(const struct particles *p, size_t i)
 }
 #endif
 
+/* The fields that the hash reads. */
+#define PARTICLES_HASHED                                                                           \
+    (FIELD_BIT(FIELD_ID) | FIELD_BIT(FIELD_POSITION) | FIELD_BIT(FIELD_MOTION) | FIELD_BIT(FIELD_DENSITY))
+
 /* Hash of the state: ids, positions, velocities and densities; independent of the order in memory. */
 uint64_t particles_hash(const struct particles *particles);
 

@@ -116,7 +116,10 @@ enum status frame_fill(struct simulation *s, struct film_snapshot *snapshot, str
     struct step step = {.list_radius = plan->choice.support};
     if (plan->frame_pass && step_pass(s, plan->frame_pass->id, &step, e))
         return e->status;
-    const struct particles *p = s->row->state(s->backend), *walls = s->row->walls(s->backend);
+    const struct particles *walls = s->row->walls(s->backend);
+    const struct particles *p = s->row->state(s->backend, plan->seen, e);
+    if (!p)
+        return e->status;
     const struct color_row *color = plan->color;
     const struct color_source source = {p, &plan->bodies, plan->choice.each.rest_density};
 #pragma omp parallel for schedule(static)

@@ -3,6 +3,7 @@
 
 #include "run/limits.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -174,7 +175,9 @@ static void find_cause(const struct simulation *s, const struct particles *p, si
 
 enum status give_up(struct simulation *s, double dt, int halvings, uint32_t bad, struct error *e)
 {
-    const struct particles *p = s->row->state(s->backend);
+    const struct particles *p = s->row->state(s->backend, UINT_MAX, e);
+    if (!p)
+        return e->status;
     const struct space *space = &s->plan->space;
     const char *value;
     size_t i = culprit(p, bad, &value);

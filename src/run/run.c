@@ -114,7 +114,12 @@ static enum status emit(struct session *x, long index, struct error *e)
         return e->status;
     snapshot->index = index;
     snapshot->time = s->time;
-    snapshot->state_hash = particles_hash(s->row->state(s->backend));
+    const struct particles *p = s->row->state(s->backend, PARTICLES_HASHED, e);
+    if (!p) {
+        film_snapshot_free(x->film, snapshot);
+        return e->status;
+    }
+    snapshot->state_hash = particles_hash(p);
     x->report.frames[x->report.frame_count++] =
         (struct report_frame){index, s->time, snapshot->state_hash};
     if (snapshot->position && frame_fill(s, snapshot, e)) {
@@ -129,8 +134,11 @@ static enum status measure(struct session *x, struct error *e)
     double start = clock_seconds();
     struct simulation *s = &x->simulation;
     const struct plan *plan = &x->plan;
-    const double *row = measures_take(&x->plan.measures, plan->scene, &plan->space, &plan->choice,
-                                      s->row->state(s->backend), s->time);
+    const struct particles *p = s->row->state(s->backend, plan->measures.reads | plan->seen, e);
+    if (!p)
+        return e->status;
+    const double *row = measures_take(&x->plan.measures, plan->scene, &plan->space, &plan->choice, p,
+                                      s->time);
     if (film_row(x->film, row, e))
         return e->status;
     x->report.row_count++;

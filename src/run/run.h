@@ -18,6 +18,7 @@ struct run_options {
     size_t time_count;          /* 0: a film, or with a sheet times equally far apart */
     int sheet[2];               /* columns and rows of pictures in one frame; 0: none */
     int threads;                /* 0: all processors */
+    bool timed;                 /* each pass by itself, for bench */
     bool strict;                /* a step shorter than time.step is an error */
     const char *backend;        /* row of the table "backends", or "auto" */
     const char *renderer;       /* row of the table "renderers", or "auto" */

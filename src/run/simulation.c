@@ -53,9 +53,11 @@ static enum status keep_rows(struct simulation *s, double dt, struct error *e)
 /* The particle that moves fastest. */
 static uint32_t fastest(struct simulation *s)
 {
-    const struct particles *p = s->row->state(s->backend);
+    unsigned fields = FIELD_BIT(FIELD_MOTION) | FIELD_BIT(FIELD_ID);
+    struct error e = {0};
+    const struct particles *p = s->row->state(s->backend, fields, &e);
     uint32_t id = UINT32_MAX;
-    for (size_t i = 0; i < p->count; i++) {
+    for (size_t i = 0; p && i < p->count; i++) {
         const float *v = particles_motion(p)[i].velocity;
         float speed2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         if (speed2 == s->extremes.speed2 && particles_id(p)[i] < id)
@@ -117,8 +119,10 @@ enum status simulation_advance(struct simulation *s, double target, struct error
 static enum status first_forces(struct simulation *s, struct error *e)
 {
     struct step step = {0};
-    const struct particles *p = s->row->state(s->backend);
     if (s->plan->choice.is_implicit) {
+        const struct particles *p = s->row->state(s->backend, FIELD_BIT(FIELD_MOTION), e);
+        if (!p)
+            return e->status;
         for (size_t i = 0; i < p->count; i++) {
             const float *v = particles_motion(p)[i].velocity;
             s->extremes.speed2 = fmaxf(s->extremes.speed2, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -128,7 +132,8 @@ static enum status first_forces(struct simulation *s, struct error *e)
     s->last_dt = natural_step(s, NULL);
     if (keep_rows(s, 0, e) ||
         (s->plan->choice.continuity && step_pass(s, PASS_PRESSURE, &step, e)) ||
-        step_forces(s, &step, e) || step_pass(s, PASS_CORRECT, &step, e))
+        step_forces(s, &step, e) || step_pass(s, PASS_CORRECT, &step, e) ||
+        step_settle(s, &step, e))
         return e->status;
     s->extremes = step.extremes;
     return STATUS_OK;
@@ -144,9 +149,12 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .search = plan->search,
         .isa = options->isa ? options->isa : "auto",
         .threads = options->threads,
+        .device = plan->device,
+        .timed = options->timed,
     };
     *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY,
-                             .relax = {1, 1, 1}, .strict = options->strict};
+                             .relax = {1, 1, 1}, .strict = options->strict,
+                             .queues = plan->backend->settle && !options->timed};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
         solver_start(&plan->choice, &particles, e) ||

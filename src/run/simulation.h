@@ -8,7 +8,7 @@
 /* Work of an implicit solve so far. */
 struct solve_stats {
     long sweeps, unsolved; /* in all; solves that ended by their limit */
-    int most;              /* sweeps of one solve */
+    int most, last;        /* sweeps of one solve */
     double residual;       /* that the last one left */
 };
 
@@ -21,6 +21,7 @@ struct simulation {
     double last_dt;           /* natural limit of the last step, s */
     double least_dt;          /* a rejected step below this ends the run, s */
     struct extremes extremes; /* of the present state */
+    bool queues;              /* passes wait until they are settled */
     bool strict;              /* a step shorter than the scene's is an error */
     double relax[SOLVE_COUNT];          /* of the sweeps of each solve, besides the solver's relaxation */
     double moved, allowance;  /* m since the last sort, and at most */

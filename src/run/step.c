@@ -12,6 +12,11 @@ enum status step_pass(struct simulation *s, enum pass_id pass, struct step *step
     return s->row->run(s->backend, pass, step, e);
 }
 
+enum status step_settle(struct simulation *s, struct step *step, struct error *e)
+{
+    return s->row->settle ? s->row->settle(s->backend, step, e) : STATUS_OK;
+}
+
 /* Runs passes k.. of the plan up to the next one of kind `end`, once. */
 static enum status run_passes(struct simulation *s, size_t first, size_t last, struct step *step,
                               struct error *e)
@@ -46,9 +51,20 @@ static void count_loop(struct simulation *s, const struct step *step)
     struct solve_stats *stats = &s->stats.solves[step->solve];
     s->relax[step->solve] = step->loop.relax;
     stats->sweeps += step->loop.sweeps;
+    stats->last = step->loop.sweeps;
     stats->unsolved += step->loop.unsolved;
     stats->most = step->loop.sweeps > stats->most ? step->loop.sweeps : stats->most;
     stats->residual = step->residual;
+}
+
+/* Sweeps to queue before their residual is known: as many as the last solve took, then a few. */
+static int sweeps_ahead(const struct simulation *s, const struct step *step)
+{
+    enum { AHEAD = 4 };
+    int last = s->stats.solves[step->solve].last;
+    if (!s->queues)
+        return 1;
+    return step->loop.sweeps == 0 && last > 0 ? last : AHEAD;
 }
 
 /* Repeats the loop that begins at pass `loop`; sets *end to its last. */
@@ -65,7 +81,10 @@ static enum status run_loop(struct simulation *s, size_t loop, size_t *end, stru
         return e->status;
     step->looping = true;
     do {
-        if (run_passes(s, loop + 1, *end + 1, step, e))
+        for (int sweep = 0; sweep < sweeps_ahead(s, step); sweep++)
+            if (run_passes(s, loop + 1, *end + 1, step, e))
+                return e->status;
+        if (step_settle(s, step, e))
             return e->status;
     } while (step->loop.again);
     step->looping = false;
@@ -85,7 +104,6 @@ enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, 
     /* A step that is redone starts its shift from nothing: what it had may be the cause. */
     float resume = redo ? 0 : (float)plan->choice.solves[SOLVE_SHIFT].resume;
     struct step step = {.dt = (float)dt, .before = (float)s->dt, .resume = resume};
-    double moved = 0;
     *bad = UINT32_MAX;
     s->row->begin(s->backend);
     for (size_t k = 0; k < plan->pass_count && *bad == UINT32_MAX; k++) {
@@ -97,17 +115,18 @@ enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, 
         if (pass->kind == PASS_LOOP ? run_loop(s, k, &k, &step, e)
                                     : step_pass(s, pass->id, &step, e))
             return e->status;
-        if (reports(pass->id)) {
-            moved = fmax(moved, sqrt(step.extremes.move2));
+        if (reports(pass->id) && !s->row->settle)
             *bad = step.extremes.bad;
-        }
     }
+    if (step_settle(s, &step, e))
+        return e->status;
+    *bad = step.extremes.bad;
     if (*bad != UINT32_MAX) {
         s->row->reject(s->backend);
         s->stats.rejected++;
         return STATUS_OK;
     }
-    s->moved += moved;
+    s->moved += sqrt((double)step.extremes.move2);
     s->dt = dt;
     s->extremes = step.extremes;
     return STATUS_OK;
@@ -121,5 +140,5 @@ enum status step_forces(struct simulation *s, struct step *step, struct error *e
         first = id == PASS_PREDICT ? k + 1 : first;
         last = id == PASS_CORRECT ? k : last;
     }
-    return run_passes(s, first, last, step, e);
+    return run_passes(s, first, last, step, e) || step_settle(s, step, e) ? e->status : STATUS_OK;
 }

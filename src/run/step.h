@@ -11,6 +11,9 @@ enum status step_try(struct simulation *s, double dt, bool redo, uint32_t *bad, 
 /* The passes between predict and correct, at the present state (explicit solvers). */
 enum status step_forces(struct simulation *s, struct step *step, struct error *e);
 
+/* Waits for passes that a back end has queued. */
+enum status step_settle(struct simulation *s, struct step *step, struct error *e);
+
 enum status step_pass(struct simulation *s, enum pass_id pass, struct step *step, struct error *e);
 
 #endif

@@ -11,6 +11,13 @@
 #define PART_NEAR 1e-3  /* spacings; nearer particles share a place */
 #define PART_MOST 0.25f /* spacings; largest component of the distance after it */
 
+/* The square of that distance, in smoothing lengths. */
+static inline float part_near2(double spacing, double smoothing_length)
+{
+    float near = (float)(PART_NEAR * spacing / smoothing_length);
+    return near * near;
+}
+
 /* The bits of `word` well mixed (Appleby's finalizer of MurmurHash3). */
 static inline uint32_t part_mix(uint32_t word)
 {

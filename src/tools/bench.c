@@ -59,6 +59,8 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
     case 't': b->run.threads = (int)positive(state, "threads", value, 4096); return 0;
     case 'f': b->from = seconds(state, "from", value); return 0;
     case 'i': b->run.isa = value; return 0;
+    case 'b': b->run.backend = value; return 0;
+    case 'p': b->run.timed = true; return 0;
     case 's':
         if (b->set_count == SETS_MAX)
             argp_error(state, "more than %d --set", SETS_MAX);
@@ -81,6 +83,8 @@ static const struct argp_option options[] = {
     {"steps", 'n', "N", 0, "Measured steps (default 100)", 0},
     {"from", 'f', "T", 0, "Start measuring at scene time T, s (default 0)", 0},
     {"threads", 't', "N", 0, "Threads (default: one per processor)", 0},
+    {"backend", 'b', "NAME", 0, "Where particles are computed (default auto)", 0},
+    {"phases", 'p', NULL, 0, "Time each pass of cuda by itself, which makes small scenes slower", 0},
     {"isa", 'i', "NAME", 0, "Instruction set: auto, scalar, avx2, avx512", 0},
     {"set", 's', "KEY=VALUE", 0, "Change a key of every scene; may be given several times", 0},
     {"json", 'j', NULL, 0, "JSON instead of a table", 0},

@@ -39,6 +39,7 @@ static inline void each_predict(const struct work *w, size_t i, struct extremes 
         each_bad(w, i, own);
 }
 
+/* Adds to what predict found. */
 static inline void each_correct(const struct work *w, size_t i, struct extremes *own)
 {
     const struct state_work *s = &w->state;

@@ -63,6 +63,15 @@ static inline void each_rest_volumes(const struct work *w, size_t i)
     w->state.position[i].volume = w->choice->implicit.volume[work_fluid(w, i)];
 }
 
+/* The volume of a wall particle, V_b = 1 / sum_k W_bk over the wall particles (Akinci et al. 2012). Those
+ * next to the fluid lack its half of the sum and become too large, by which fluid would stand off; a
+ * projection takes the fluid's volume, so that the lattice goes on in the wall. */
+static inline void each_wall_volumes(const struct work *w, size_t i)
+{
+    w->state.position[i].volume = w->choice->projects ? w->choice->projection.volume[0]
+                                                      : 1 / (w->constants.density * w->number[i]);
+}
+
 /* A part of 1, in 2^-40. */
 static inline int64_t fixed_part(float x)
 {

@@ -82,9 +82,7 @@ struct row_build cpu_row_build(const struct backend *b, double radius)
     return work;
 }
 
-/* Volumes of wall particles, V_b = 1 / sum_k W_bk over the wall particles (Akinci et al. 2012). Those
- * next to the fluid lack its half of the sum and become too large, by which fluid would stand off; a
- * projection takes the fluid's volume, so that the lattice goes on in the wall. */
+/* Volumes of the wall particles, from rows among themselves. */
 static enum status weigh_walls(struct backend *b, struct error *e)
 {
     double reach = b->choice.support * (1 + SKIN_MAX);
@@ -107,9 +105,9 @@ static enum status weigh_walls(struct backend *b, struct error *e)
                          .rows = rows.block, .row_count = rows.count, .count = b->wall.count};
     isa_pair(b->isa, PAIR_PASS_DENSITY, &pairs, b->choice.flags)(
         &pairs, 0, (b->wall.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK);
-    for (size_t i = 0; i < b->wall.count; i++)
-        wall[i].volume = b->choice.projects ? b->choice.projection.volume[0]
-                                            : 1 / (b->choice.pair.density * number[i]);
+    pairs.choice = &b->choice;
+    pairs.state.position = wall;
+    cpu_stage(&pairs, STAGE_wall_volumes);
 done:
     memory_free(number);
     rows_free(&rows);
@@ -160,6 +158,7 @@ static enum status cpu_open(struct backend **out, const struct backend_setup *se
     if (!b)
         return error_set(e, STATUS_RUN, "out of memory");
     b->choice = *setup->choice;
+    b->scalars.extremes.bad = UINT32_MAX;
     b->space = *setup->space;
     b->search = setup->search;
     b->threads = setup->threads > 0 ? setup->threads : usual_threads(particles->count);
@@ -189,15 +188,26 @@ failed:
     return e->status;
 }
 
+/* Moves particles apart that share a place, by their rows. */
+static void part(struct backend *b)
+{
+    struct work work = cpu_work(b, PASS_NEIGHBOURS, 0);
+    work.parted = b->spare;
+    cpu_stage(&work, STAGE_part);
+    cpu_stage(&work, STAGE_parted);
+    log_detail("%lld particles shared a place and were moved apart",
+               (long long)b->scalars.sums.fixed[0]);
+    b->scalars.sums.fixed[0] = 0;
+}
+
 static enum status build_neighbours(struct backend *b, double radius, struct error *e)
 {
     struct row_build work = cpu_row_build(b, radius);
-    float near = (float)(PART_NEAR * b->choice.spacing / b->choice.smoothing_length);
-    work.coincident = near * near;
+    work.coincident = part_near2(b->choice.spacing, b->choice.smoothing_length);
     if (rows_build(&b->rows, &work, b->isa, true, e))
         return e->status;
     if (b->rows.coincident) {
-        cpu_part(b, work.coincident);
+        part(b);
         if (cpu_sort(b, &b->particles, &b->cells, b->axis, radius, e))
             return e->status;
         work.points = particles_position(&b->particles);
@@ -294,8 +304,10 @@ static void cpu_swap(struct backend *b)
     particles_swap(&b->particles);
 }
 
-static const struct particles *cpu_state(struct backend *b)
+static const struct particles *cpu_state(struct backend *b, unsigned fields, struct error *e)
 {
+    (void)fields;
+    (void)e;
     return &b->particles;
 }
 

@@ -35,9 +35,6 @@ struct row_build cpu_row_build(const struct backend *b, double radius);
 /* Vorticity of the present state, from neighbours within `radius` (m); leaves the rest as it is. */
 enum status cpu_curl(struct backend *b, double radius, struct error *e);
 
-/* Moves particles apart whose distance squared is below `near`, in smoothing lengths, by their rows. */
-void cpu_part(struct backend *b, float near);
-
 /* What a pass works on. */
 struct work cpu_work(struct backend *b, enum pass_id pass, enum solve solve);
 

@@ -2,6 +2,8 @@
 #ifndef BACKEND_CPU_LANES_SCALAR_H
 #define BACKEND_CPU_LANES_SCALAR_H
 
+#include "backend/bodies/near.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -72,10 +74,8 @@ static inline __attribute__((always_inline)) uint32_t *rows_append(uint32_t *out
                                     uint32_t self, bool *coincident)
 {
     for (uint32_t j = first; j < last; j++) {
-        float x = (float)(int32_t)(point[0] - axis[0][j]) * scale[0];
-        float y = (float)(int32_t)(point[1] - axis[1][j]) * scale[1];
-        float z = (float)(int32_t)(point[2] - axis[2][j]) * scale[2];
-        float q2 = fmaf(z, z, fmaf(y, y, x * x));
+        const uint32_t other[3] = {axis[0][j], axis[1][j], axis[2][j]};
+        float q2 = near_q2(point, other, scale);
         *out = 2 * j;
         out += q2 < limit[0] && j != self;
         *coincident |= q2 < limit[1] && j != self;

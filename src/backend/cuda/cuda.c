@@ -1,0 +1,289 @@
+/* The cuda back end: particles live on a device, passes are kernels there. */
+#include "backend/cuda/cuda.h"
+
+#include "base/log.h"
+#include "base/memory.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static enum status upload(struct backend *b, void *to, const void *from, size_t bytes, struct error *e)
+{
+    b->row->upload(b->device, to, from, bytes);
+    return b->row->wait(b->device, e);
+}
+
+/* The same fields on the device, with what they hold. */
+static enum status upload_particles(struct backend *b, const struct particles *host,
+                                    struct particles *p, struct error *e)
+{
+    *p = (struct particles){.count = host->count, .fields = host->fields};
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        const struct field_row *row = &field_table[f];
+        if (!host->now[f])
+            continue;
+        p->now[f] = cuda_array(b, row->name, p->count, row->size, e);
+        if (p->now[f] && host->before[f])
+            p->before[f] = cuda_array(b, row->name, p->count, row->size, e);
+        if (!p->now[f] || (host->before[f] && !p->before[f]) ||
+            upload(b, p->now[f], host->now[f], p->count * row->size, e))
+            return e->status;
+    }
+    return STATUS_OK;
+}
+
+static void destroy_particles(struct backend *b, struct particles *p)
+{
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        b->row->destroy(b->device, p->now[f]);
+        b->row->destroy(b->device, p->before[f]);
+    }
+    *p = (struct particles){0};
+}
+
+static void cuda_close(struct backend *b)
+{
+    if (!b)
+        return;
+    if (b->device) {
+        void *const arrays[] = {
+            b->there, b->scalars, b->cells.start, b->wall_cells.start, b->curl_cells.start,
+            b->sorting.keys, b->sorting.sorted_keys, b->sorting.values, b->sorting.order,
+            b->sorting.spare, b->arrays.number, b->arrays.inverse_density, b->arrays.fluid,
+            b->arrays.rest};
+        cuda_forget(b);
+        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
+            b->row->destroy(b->device, arrays[k]);
+        b->row->unpin(b->device, b->in);
+        b->row->unpin(b->device, b->out);
+        destroy_particles(b, &b->particles);
+        destroy_particles(b, &b->wall);
+        destroy_particles(b, &b->curl);
+        cuda_rows_free(b, &b->rows);
+        cuda_rows_free(b, &b->wall_rows);
+        cuda_rows_free(b, &b->curl_rows);
+        for (int f = 0; f < FIELD_COUNT; f++)
+            b->row->unpin(b->device, b->seen.now[f]);
+        b->row->close(b->device);
+    }
+    particles_free(&b->seen_wall);
+    free(b);
+}
+
+/* Device bytes that a run takes at the least: fields, sorting, rows as on the lattice. */
+static double bytes_needed(const struct backend *b, const struct particles *p,
+                           const struct particles *wall)
+{
+    const struct solver_choice *c = &b->choice;
+    double sorting = 2 * sizeof(uint64_t) + 2 * sizeof(uint32_t) + sizeof(struct position);
+    double cells = 8 * sizeof(uint32_t), fields = 0, wall_fields = 0;
+    double row = solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        double size = (double)field_table[f].size;
+        fields += (p->now[f] ? size : 0) + (p->before[f] ? size : 0);
+        wall_fields += (wall->now[f] ? size : 0) + (wall->before[f] ? size : 0);
+    }
+    return (fields + sorting + cells + row) * (double)p->count +
+           (wall_fields + sorting + cells) * (double)wall->count;
+}
+
+static enum status check_memory(const struct backend *b, const struct device_info *info,
+                                const struct particles *p, const struct particles *wall,
+                                struct error *e)
+{
+    double needed = bytes_needed(b, p, wall), have = (double)info->free;
+    if (needed <= have || have == 0)
+        return STATUS_OK;
+    return error_set(e, STATUS_RUN, "%zu particles and %zu in walls take %.4g GB on %s, which has "
+                     "%.4g GB free: use a larger particles.spacing, another device (--backend "
+                     "cuda:N), or --backend cpu", p->count, wall->count, 1e-9 * needed, info->name,
+                     1e-9 * have);
+}
+
+static enum status allocate_sorting(struct backend *b, struct error *e)
+{
+    struct device_sorting *s = &b->sorting;
+    size_t n = b->particles.count, w = b->wall.count, most = n > w ? n : w;
+    s->keys = cuda_array(b, "sort", most, sizeof *s->keys, e);
+    s->sorted_keys = cuda_array(b, "sort", most, sizeof *s->keys, e);
+    s->values = cuda_array(b, "sort", most, sizeof *s->values, e);
+    s->order = cuda_array(b, "sort", most, sizeof *s->order, e);
+    s->spare = cuda_array(b, "sort", most, sizeof(struct position), e);
+    return s->keys && s->sorted_keys && s->values && s->order && s->spare ? STATUS_OK : e->status;
+}
+
+static enum status allocate_arrays(struct backend *b, struct error *e)
+{
+    const struct { float **array; const char *label; bool wanted; } arrays[] = {
+        {&b->arrays.inverse_density, "kernel sums",
+         b->choice.is_implicit && b->particles.now[FIELD_FLUID]},
+        {&b->arrays.number, "kernel sums", !b->choice.is_implicit && !b->choice.continuity},
+        {&b->arrays.rest, "rest densities", b->choice.flags & PAIR_MIXED},
+        {&b->arrays.fluid, "fluids of neighbours",
+         b->choice.tension.any && b->particles.now[FIELD_FLUID]},
+    };
+    for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
+        if (arrays[k].wanted && !(*arrays[k].array = cuda_array(b, arrays[k].label, b->particles.count,
+                                                                sizeof(float), e)))
+            return e->status;
+    b->there = b->row->create(b->device, "constants", sizeof *b->there, e);
+    b->scalars = b->row->create(b->device, "constants", sizeof *b->scalars, e);
+    b->in = b->row->pin(b->device, (1 + SOLVE_COUNT) * sizeof *b->in, e);
+    b->out = b->row->pin(b->device, sizeof *b->out, e);
+    if (!b->there || !b->scalars || !b->in || !b->out ||
+        cuda_rows_create(b, &b->rows, b->particles.count, b->choice.projects, e) ||
+        (b->wall.count && cuda_rows_create(b, &b->wall_rows, b->particles.count, false, e)))
+        return e->status;
+    return STATUS_OK;
+}
+
+/* Constants and numbers as they are before the first step. */
+static enum status upload_constants(struct backend *b, struct error *e)
+{
+    struct scalars first = {.extremes = {.bad = UINT32_MAX}};
+    if (upload(b, b->there, &b->choice, sizeof b->choice, e) ||
+        upload(b, b->scalars, &first, sizeof first, e))
+        return e->status;
+    return STATUS_OK;
+}
+
+static enum status start(struct backend *b, struct error *e)
+{
+    if (b->wall.count && cuda_weigh_walls(b, e))
+        return e->status;
+    if (b->choice.is_implicit && b->particles.count) {
+        struct work work = cuda_work(b, PASS_SORT, SOLVE_VELOCITY, false);
+        b->row->launch(b->device, KERNEL_stage_rest_volumes, work.count, &work);
+    }
+    return b->row->wait(b->device, e);
+}
+
+/* Wall particles as frames see them; they stay where they are. */
+static enum status see_walls(struct backend *b, struct error *e)
+{
+    unsigned fields = FIELD_BIT(FIELD_POSITION) | FIELD_BIT(FIELD_ID);
+    if (b->wall.count == 0)
+        return STATUS_OK;
+    if (particles_create(&b->seen_wall, b->wall.count, fields, e))
+        return e->status;
+    for (int f = 0; f < FIELD_COUNT; f++)
+        if (fields & FIELD_BIT(f) &&
+            b->row->read(b->device, b->seen_wall.now[f], b->wall.now[f],
+                         b->wall.count * field_table[f].size, e))
+            return e->status;
+    return STATUS_OK;
+}
+
+enum status cuda_open_on(const struct device_row *row, struct backend **out,
+                         const struct backend_setup *setup, struct particles *particles,
+                         struct particles *walls, struct error *e)
+{
+    struct backend *b = calloc(1, sizeof *b);
+    struct device_info info;
+    *out = NULL;
+    e->status = STATUS_OK;
+    if (!b)
+        return error_set(e, STATUS_RUN, "out of memory");
+    b->row = row;
+    b->choice = *setup->choice;
+    b->space = *setup->space;
+    b->all = setup->search == &search_all_pairs;
+    b->timed = setup->timed;
+    if (row->info(setup->device, &info, e) || check_memory(b, &info, particles, walls, e) ||
+        row->open(&b->device, setup->device, e) ||
+        upload_particles(b, particles, &b->particles, e) ||
+        upload_particles(b, walls, &b->wall, e) || allocate_sorting(b, e) ||
+        allocate_arrays(b, e) || upload_constants(b, e) || start(b, e) || see_walls(b, e)) {
+        cuda_close(b);
+        return e->status;
+    }
+    particles_free(particles);
+    particles_free(walls);
+    snprintf(b->text, sizeof b->text, "cuda (%s)", info.name);
+    *out = b;
+    return STATUS_OK;
+}
+
+static enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, struct error *e)
+{
+    double start = clock_seconds();
+    e->status = STATUS_OK;
+    if (pass != PASS_SORT && pass != PASS_NEIGHBOURS && pass != PASS_CURL)
+        return cuda_queue(b, pass, step, e);
+    if (cuda_flush(b, e))
+        return e->status;
+    if (pass == PASS_SORT)
+        cuda_sort(b, &b->particles, &b->cells, step->list_radius, e);
+    else if (pass == PASS_NEIGHBOURS)
+        cuda_neighbours(b, step->list_radius, e);
+    else
+        cuda_curl(b, step->list_radius, e);
+    if (!e->status && b->timed)
+        b->row->wait(b->device, e);
+    b->counts.seconds[pass] += clock_seconds() - start;
+    b->counts.runs[pass]++;
+    return e->status;
+}
+
+static void cuda_swap(struct backend *b)
+{
+    particles_swap(&b->particles);
+}
+
+static const struct particles *cuda_state(struct backend *b, unsigned fields, struct error *e)
+{
+    const struct particles *p = &b->particles;
+    e->status = STATUS_OK;
+    if (cuda_flush(b, e))
+        return NULL;
+    b->seen.count = p->count;
+    b->seen.fields = p->fields;
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        size_t bytes = p->count * field_table[f].size;
+        if (!(fields & FIELD_BIT(f)) || !p->now[f])
+            continue;
+        if (!b->seen.now[f])
+            b->seen.now[f] = b->row->pin(b->device, bytes, e);
+        if (!b->seen.now[f] || b->row->read(b->device, b->seen.now[f], p->now[f], bytes, e))
+            return NULL;
+    }
+    return &b->seen;
+}
+
+static const struct particles *cuda_walls(struct backend *b)
+{
+    return &b->seen_wall;
+}
+
+static const struct backend_counts *cuda_counts(struct backend *b)
+{
+    return &b->counts;
+}
+
+static const char *cuda_describe(struct backend *b)
+{
+    return b->text;
+}
+
+static double cuda_peak(struct backend *b)
+{
+    return b->row->peak(b->device);
+}
+
+static enum status open_host(struct backend **out, const struct backend_setup *setup,
+                             struct particles *particles, struct particles *walls, struct error *e)
+{
+    return cuda_open_on(&device_host, out, setup, particles, walls, e);
+}
+
+#define CUDA_ROW(title, text, opener)                                                              \
+    {                                                                                              \
+        .variant = {.name = title, .doc = text}, .open = opener, .run = cuda_run,                  \
+        .begin = cuda_swap, .reject = cuda_swap, .settle = cuda_settle, .state = cuda_state,       \
+        .walls = cuda_walls, .counts = cuda_counts, .describe = cuda_describe, .peak = cuda_peak,  \
+        .close = cuda_close,                                                                       \
+    }
+
+const struct backend_row backend_cuda_host =
+    CUDA_ROW("cuda-host", "the passes of cuda on the host, for tests", open_host);

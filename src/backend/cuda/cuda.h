@@ -1,0 +1,110 @@
+/* State of the cuda back end, shared by its files. */
+#ifndef BACKEND_CUDA_CUDA_H
+#define BACKEND_CUDA_CUDA_H
+
+#include "backend/backend.h"
+#include "backend/cuda/device.h"
+
+/* Neighbour rows on the device. */
+struct device_rows {
+    struct row_block *block;
+    uint32_t *count, *length;
+    uint32_t *index;
+    float *weight;
+    size_t room;     /* entries of index, in blocks of 16 */
+    bool weighted;
+    struct row_facts *facts;
+    double entries;  /* sum of count */
+    bool coincident; /* two particles share a place */
+};
+
+/* Arrays that a sort needs, for so many particles. */
+struct device_sorting {
+    uint64_t *keys, *sorted_keys;
+    uint32_t *values, *order;
+    void *spare; /* one field's worth */
+};
+
+/* A pass that waits to be run, and where it stands. */
+struct queued {
+    enum pass_id pass; /* PASS_COUNT: the step's numbers go to the device */
+    enum solve solve;
+    bool looping;
+};
+
+enum { QUEUE_MAX = 512, GRAPHS_MAX = 64, SEEN_ARRAYS = 4 };
+
+struct recording {
+    uint64_t key;
+    struct device_graph *graph;
+};
+
+struct backend {
+    const struct device_row *row;
+    struct device *device;
+    struct solver_choice choice;
+    struct solver_choice *there; /* the same on the device */
+    struct space space;
+    bool all, timed;
+    struct particles particles, wall;      /* on the device */
+    struct particles seen, seen_wall;      /* copies in host memory */
+    struct particles curl;                 /* sorted copy for vorticity, on the device */
+    struct cells cells, wall_cells, curl_cells;
+    struct device_sorting sorting;
+    struct device_rows rows, wall_rows, curl_rows;
+    struct work_arrays arrays;
+    struct scalars *scalars; /* on the device */
+    struct scalars *in;      /* pinned: of the step, and of each solve */
+    struct scalars *out;     /* pinned */
+    struct queued queue[QUEUE_MAX];
+    size_t queued;
+    struct recording recordings[GRAPHS_MAX];
+    size_t recorded;
+    int swept;               /* sweeps of the present solve that are counted */
+    struct backend_counts counts;
+    char text[DEVICE_NAME + 64];
+};
+
+/* Device memory of `count` records of `size` bytes, padded to blocks of lanes. */
+void *cuda_array(struct backend *b, const char *label, size_t count, size_t size, struct error *e);
+
+/* Sorts particles for rows of radius `radius` (m). */
+enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cells, double radius,
+                      struct error *e);
+
+enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points, bool weighted,
+                             struct error *e);
+void cuda_rows_free(struct backend *b, struct device_rows *rows);
+
+/* Builds the rows of `points` among `candidates`, which are in `cells`; `same` when they are the points.
+ * Sets *moved when rows are elsewhere in memory than before. */
+enum status cuda_rows_build(struct backend *b, struct device_rows *rows, const struct particles *points,
+                            const struct particles *candidates, const struct cells *cells,
+                            bool same, double radius, bool *moved, struct error *e);
+
+/* Rows of particles and walls; moves particles apart that share a place. */
+enum status cuda_neighbours(struct backend *b, double radius, struct error *e);
+
+/* Volumes of the wall particles. */
+enum status cuda_weigh_walls(struct backend *b, struct error *e);
+
+/* Vorticity of the present state, from neighbours within `radius` (m). */
+enum status cuda_curl(struct backend *b, double radius, struct error *e);
+
+/* What a pass works on, as particles lie now. */
+struct work cuda_work(struct backend *b, enum pass_id pass, enum solve solve, bool looping);
+
+/* Queues a pass, runs what is queued, and waits for it. */
+enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *step, struct error *e);
+enum status cuda_flush(struct backend *b, struct error *e);
+enum status cuda_settle(struct backend *b, struct step *step, struct error *e);
+
+/* Forgets recorded graphs: arrays are elsewhere. */
+void cuda_forget(struct backend *b);
+
+/* The back end on a device of a launch layer. */
+enum status cuda_open_on(const struct device_row *row, struct backend **out,
+                         const struct backend_setup *setup, struct particles *particles,
+                         struct particles *walls, struct error *e);
+
+#endif
