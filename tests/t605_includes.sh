@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests that includes point only downwards: a room sees the rooms before it, and only main exits.
 . tests/tap.sh
-order="base scene particles grid solver backend render compare encode run study tools main.c"
+order="base device scene particles grid solver backend render compare encode run study tools main.c"
 
 # position ROOM: its place in the order
 position() { echo "$order" | tr ' ' '\n' | grep -nx -e "$1" | cut -d: -f1; }
@@ -39,6 +39,7 @@ only() {
     result $? "$room includes only: $*"
 }
 only base
+only device base
 only scene base
 only compare base
 only encode base compare
@@ -53,7 +54,7 @@ grep -rnwE '_?exit *\(|quick_exit *\(|abort *\(' src --include='*.[ch]' |
 [ ! -s "$work/out" ]
 result $? "only main exits, and a second interrupt"
 grep -rn 'include.*mpi\.h\|include.*cuda' src --include='*.[ch]' |
-    grep -vE '^src/backend/(mpi|cuda)/' >"$work/out"
+    grep -vE '^src/(backend/(mpi|cuda)|render/cuda|device)/' >"$work/out"
 [ ! -s "$work/out" ]
 result $? "mpi.h and CUDA headers stay in their rooms"
 echo "1..$n"

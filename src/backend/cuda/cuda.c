@@ -154,7 +154,7 @@ static enum status start(struct backend *b, struct error *e)
         return e->status;
     if (b->choice.is_implicit && b->particles.count) {
         struct work work = cuda_work(b, PASS_SORT, SOLVE_VELOCITY, false);
-        b->row->launch(b->device, KERNEL_stage_rest_volumes, work.count, &work);
+        cuda_launch(b, KERNEL_stage_rest_volumes, work.count, &work);
     }
     return b->row->wait(b->device, e);
 }
@@ -175,7 +175,7 @@ static enum status see_walls(struct backend *b, struct error *e)
     return STATUS_OK;
 }
 
-enum status cuda_open_on(const struct device_row *row, struct backend **out,
+enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels, struct backend **out,
                          const struct backend_setup *setup, struct particles *particles,
                          struct particles *walls, struct error *e)
 {
@@ -186,6 +186,7 @@ enum status cuda_open_on(const struct device_row *row, struct backend **out,
     if (!b)
         return error_set(e, STATUS_RUN, "out of memory");
     b->row = row;
+    b->kernels = kernels;
     b->choice = *setup->choice;
     b->space = *setup->space;
     b->all = setup->search == &search_all_pairs;
@@ -274,7 +275,7 @@ static double cuda_peak(struct backend *b)
 static enum status open_host(struct backend **out, const struct backend_setup *setup,
                              struct particles *particles, struct particles *walls, struct error *e)
 {
-    return cuda_open_on(&device_host, out, setup, particles, walls, e);
+    return cuda_open_on(&device_host, kernels_host, out, setup, particles, walls, e);
 }
 
 #define CUDA_ROW(title, text, opener)                                                              \

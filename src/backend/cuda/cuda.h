@@ -3,7 +3,7 @@
 #define BACKEND_CUDA_CUDA_H
 
 #include "backend/backend.h"
-#include "backend/cuda/device.h"
+#include "backend/cuda/kernels.h"
 
 /* Neighbour rows on the device. */
 struct device_rows {
@@ -41,6 +41,7 @@ struct recording {
 
 struct backend {
     const struct device_row *row;
+    const struct kernel *kernels;
     struct device *device;
     struct solver_choice choice;
     struct solver_choice *there; /* the same on the device */
@@ -64,6 +65,11 @@ struct backend {
     struct backend_counts counts;
     char text[DEVICE_NAME + 64];
 };
+
+static inline void cuda_launch(struct backend *b, enum kernel_id kernel, size_t threads, const void *work)
+{
+    b->row->launch(b->device, &b->kernels[kernel], threads, work);
+}
 
 /* Device memory of `count` records of `size` bytes, padded to blocks of lanes. */
 void *cuda_array(struct backend *b, const char *label, size_t count, size_t size, struct error *e);
@@ -103,7 +109,7 @@ enum status cuda_settle(struct backend *b, struct step *step, struct error *e);
 void cuda_forget(struct backend *b);
 
 /* The back end on a device of a launch layer. */
-enum status cuda_open_on(const struct device_row *row, struct backend **out,
+enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels, struct backend **out,
                          const struct backend_setup *setup, struct particles *particles,
                          struct particles *walls, struct error *e);
 

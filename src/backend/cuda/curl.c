@@ -40,9 +40,9 @@ enum status cuda_curl(struct backend *b, double radius, struct error *e)
                         .motion = p->now[FIELD_MOTION], .rows = b->curl_rows.block,
                         .row_count = b->curl_rows.count, .vorticity = p->now[FIELD_VORTICITY]};
     work.constants.inverse_h = 1 / b->choice.each.h; /* some solvers keep a factor of theirs in it */
-    b->row->launch(b->device, KERNEL_pair_curl, p->count, &work);
+    cuda_launch(b, KERNEL_pair_curl, p->count, &work);
     struct order_work back = {.to = b->particles.now[FIELD_VORTICITY],
                               .from = p->now[FIELD_VORTICITY], .order = b->sorting.order};
-    b->row->launch(b->device, KERNEL_order_hand_back, p->count, &back);
+    cuda_launch(b, KERNEL_order_hand_back, p->count, &back);
     return b->row->wait(b->device, e);
 }

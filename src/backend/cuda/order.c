@@ -44,7 +44,7 @@ static void permute_fields(struct backend *b, struct particles *p)
         w.size = field_table[f].size;
         w.from = p->now[f];
         w.to = *other;
-        b->row->launch(b->device, KERNEL_order_permute, p->count, &w);
+        cuda_launch(b, KERNEL_order_permute, p->count, &w);
         if (p->before[f]) {
             void *swap = p->now[f];
             p->now[f] = *other;
@@ -68,12 +68,12 @@ enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cell
     struct device_sort sort = {s->keys, s->sorted_keys, s->values, s->order, p->count,
                                w.id_bits + bits_of(cells->count)};
     if (p->count > 0) {
-        b->row->launch(b->device, KERNEL_order_keys, p->count, &w);
+        cuda_launch(b, KERNEL_order_keys, p->count, &w);
         if (b->row->sort(b->device, &sort, e))
             return e->status;
     }
     w.keys = s->sorted_keys;
-    b->row->launch(b->device, KERNEL_order_starts, cells->count + 1, &w);
+    cuda_launch(b, KERNEL_order_starts, cells->count + 1, &w);
     if (p->count > 0)
         permute_fields(b, p);
     return STATUS_OK;
@@ -142,8 +142,8 @@ enum status cuda_rows_build(struct backend *b, struct device_rows *rows, const s
     if (blocks == 0)
         return STATUS_OK;
     d->clear(b->device, rows->facts, sizeof facts);
-    d->launch(b->device, KERNEL_order_row_counts, points->count, &w);
-    d->launch(b->device, KERNEL_order_row_lengths, blocks, &w);
+    cuda_launch(b, KERNEL_order_row_counts, points->count, &w);
+    cuda_launch(b, KERNEL_order_row_lengths, blocks, &w);
     if (d->scan(b->device, rows->length, blocks, e) ||
         d->read(b->device, &total, rows->length + blocks, sizeof total, e) ||
         d->read(b->device, &facts, rows->facts, sizeof facts, e) ||
@@ -151,7 +151,7 @@ enum status cuda_rows_build(struct backend *b, struct device_rows *rows, const s
         return e->status;
     w.index = rows->index;
     w.weight = rows->weight;
-    d->launch(b->device, KERNEL_order_rows, points->count, &w);
+    cuda_launch(b, KERNEL_order_rows, points->count, &w);
     rows->entries = (double)facts.entries;
     rows->coincident = facts.coincident > 0;
     return STATUS_OK;
@@ -163,8 +163,8 @@ static enum status part(struct backend *b, struct error *e)
     struct work work = cuda_work(b, PASS_NEIGHBOURS, SOLVE_VELOCITY, false);
     int64_t *fixed = b->scalars->sums.fixed, moved;
     work.parted = b->sorting.spare;
-    b->row->launch(b->device, KERNEL_stage_part, work.count, &work);
-    b->row->launch(b->device, KERNEL_stage_parted, work.count, &work);
+    cuda_launch(b, KERNEL_stage_part, work.count, &work);
+    cuda_launch(b, KERNEL_stage_parted, work.count, &work);
     if (b->row->read(b->device, &moved, fixed, sizeof moved, e))
         return e->status;
     b->row->clear(b->device, fixed, sizeof moved);
@@ -189,7 +189,7 @@ enum status cuda_neighbours(struct backend *b, double radius, struct error *e)
         cuda_forget(b);
     struct work work = cuda_work(b, PASS_NEIGHBOURS, SOLVE_VELOCITY, false);
     if (b->arrays.rest && p->count)
-        b->row->launch(b->device, KERNEL_stage_rest_densities, p->count, &work);
+        cuda_launch(b, KERNEL_stage_rest_densities, p->count, &work);
     b->counts.row_entries = b->rows.entries + b->wall_rows.entries;
     return STATUS_OK;
 }
@@ -209,10 +209,9 @@ enum status cuda_weigh_walls(struct backend *b, struct error *e)
     work.position = work.state.position = wall->now[FIELD_POSITION];
     work.rows = rows.block;
     work.row_count = rows.count;
-    b->row->launch(b->device,
-                   KERNEL_pair_density_wendland + pair_find(PAIR_PASS_DENSITY, &work, b->choice.flags),
+    cuda_launch(b, KERNEL_pair_density_wendland + pair_find(PAIR_PASS_DENSITY, &work, b->choice.flags),
                    wall->count, &work);
-    b->row->launch(b->device, KERNEL_stage_wall_volumes, wall->count, &work);
+    cuda_launch(b, KERNEL_stage_wall_volumes, wall->count, &work);
     b->row->wait(b->device, e);
 done:
     b->row->destroy(b->device, work.number);

@@ -42,13 +42,13 @@ static void launch_pass(struct backend *b, const struct queued *q)
     for (size_t k = 0; k < count; k++) {
         if (!stage_wanted(&stage[k], &b->choice, &work))
             continue;
-        enum kernel kernel = stage[k].is_pair
+        enum kernel_id kernel = stage[k].is_pair
                                  ? KERNEL_pair_density_wendland +
                                        pair_find(stage[k].pair, &work, b->choice.flags)
-                                 : (enum kernel)stage[k].id;
+                                 : (enum kernel_id)stage[k].id;
         size_t threads = stage_is_scalar(&stage[k]) ? 1 : work.count;
         if (threads > 0)
-            b->row->launch(b->device, kernel, threads, &work);
+            cuda_launch(b, kernel, threads, &work);
     }
 }
 

@@ -1,35 +1,25 @@
-/* The launch layer: memory, kernels and graphs of a device that runs passes. One implementation is CUDA,
- * the other runs the same kernels on the host, for tests where there is no GPU.
+/* Devices: memory, queued kernels and copies, and graphs of them. One implementation is CUDA,
+ * the other the host itself, for tests where there is no GPU.
  *
- * Everything is queued in one order; only read, scan_total and wait wait for it. Failures are kept and
+ * Everything is queued in one order; only read and wait wait for it. Failures are kept and
  * reported by the next call that returns a status, with the name of the kernel. */
-#ifndef BACKEND_CUDA_DEVICE_H
-#define BACKEND_CUDA_DEVICE_H
+#ifndef DEVICE_DEVICE_H
+#define DEVICE_DEVICE_H
 
-#include "backend/cuda/order_work.h"
-#include "backend/stages.h"
 #include "base/error.h"
 
-/* Kernels in one numbering: stages, pair bodies, and what sorts and builds rows. */
-enum kernel {
-#define STAGE(kind, name, terms) KERNEL_stage_##name,
-#include "backend/bodies/stage_list.h"
-#undef STAGE
-#define PAIR(name, call) KERNEL_pair_##name,
-#include "backend/bodies/pair_list.h"
-#undef PAIR
-#define FORCE(flags) KERNEL_pair_force_##flags, KERNEL_pair_force_walls_##flags,
-#include "backend/bodies/force_list.h"
-#undef FORCE
-#define ORDER(name) KERNEL_order_##name,
-#include "backend/cuda/order_list.h"
-#undef ORDER
-    KERNEL_COUNT,
-    KERNEL_ORDERS = STAGE_COUNT + BODY_COUNT /* the first that takes struct order_work */
+#include <stddef.h>
+#include <stdint.h>
+
+/* What threads 0 .. threads - 1 do with the record `args` of args_size bytes; `stream` is the device's own
+ * queue. A room keeps a table of its kernels for each kind of device. */
+struct kernel {
+    const char *name;
+    size_t args_size; /* at most KERNEL_ARGS */
+    void (*run)(size_t threads, const void *args, void *stream);
 };
 
-/* Name of a kernel, for messages. */
-const char *kernel_name(enum kernel kernel);
+enum { KERNEL_ARGS = 2048 };
 
 enum { DEVICE_NAME = 128 };
 
@@ -72,9 +62,8 @@ struct device_row {
     /* Copies back, and waits for it. */
     enum status (*read)(struct device *device, void *host, const void *from, size_t bytes,
                         struct error *e);
-    /* Runs a kernel for threads 0 .. threads - 1 on `work`: struct work, or struct order_work from
-     * KERNEL_ORDERS on. */
-    void (*launch)(struct device *device, enum kernel kernel, size_t threads, const void *work);
+    void (*launch)(struct device *device, const struct kernel *kernel, size_t threads,
+                   const void *args);
     /* Sorts keys, of which the lowest `bits` count, and the values with them. */
     enum status (*sort)(struct device *device, const struct device_sort *sort, struct error *e);
     /* values[k] becomes the sum of those before it, of `count`, values[count] of all. */

@@ -1,0 +1,233 @@
+/* The host as a device, which runs kernels at once or, in graphs, again and again: so what is made for GPUs
+ * is tested where there is none. */
+#include "device/device.h"
+
+#include "base/machine.h"
+#include "base/memory.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A launch or a copy that is queued. */
+struct command {
+    const struct kernel *kernel; /* NULL: a copy, or without `from` a clear */
+    size_t size;                 /* threads, or bytes */
+    void *to;
+    const void *from;
+    _Alignas(16) unsigned char args[KERNEL_ARGS];
+};
+
+struct device_graph {
+    struct command *command;
+    size_t count, room;
+};
+
+struct device {
+    struct device_graph *recording; /* or NULL */
+    bool lost;                      /* memory for a recording */
+};
+
+static void run(const struct command *c)
+{
+    if (c->kernel)
+        c->kernel->run(c->size, c->args, NULL);
+    else if (c->from)
+        memcpy(c->to, c->from, c->size);
+    else
+        memset(c->to, 0, c->size);
+}
+
+/* Runs a command, or keeps it. */
+static void queue(struct device *d, const struct command *c)
+{
+    struct device_graph *g = d->recording;
+    if (!g) {
+        run(c);
+        return;
+    }
+    if (g->count == g->room) {
+        size_t room = g->room ? 2 * g->room : 16;
+        struct command *more = realloc(g->command, room * sizeof *more);
+        d->lost = d->lost || !more;
+        if (!more)
+            return;
+        g->command = more;
+        g->room = room;
+    }
+    g->command[g->count++] = *c;
+}
+
+static void host_launch(struct device *d, const struct kernel *kernel, size_t threads,
+                        const void *args)
+{
+    struct command c = {.kernel = kernel, .size = threads};
+    memcpy(c.args, args, kernel->args_size);
+    queue(d, &c);
+}
+
+static void host_copy(struct device *d, void *to, const void *from, size_t bytes)
+{
+    queue(d, &(struct command){.to = to, .from = from, .size = bytes});
+}
+
+static void host_clear(struct device *d, void *to, size_t bytes)
+{
+    queue(d, &(struct command){.to = to, .size = bytes});
+}
+
+static int host_count(const char **why)
+{
+    *why = "";
+    return 1;
+}
+
+static enum status host_info(int index, struct device_info *info, struct error *e)
+{
+    const char *what;
+    *info = (struct device_info){.name = "host"};
+    info->memory = info->free = (size_t)machine_memory(&what);
+    return index == 0 ? STATUS_OK : error_set(e, STATUS_USAGE, "there is one host");
+}
+
+static enum status host_open(struct device **d, int index, struct error *e)
+{
+    (void)index;
+    *d = calloc(1, sizeof **d);
+    return *d ? STATUS_OK : error_set(e, STATUS_RUN, "out of memory");
+}
+
+static void host_close(struct device *d)
+{
+    free(d);
+}
+
+static void *host_create(struct device *d, const char *label, size_t bytes, struct error *e)
+{
+    (void)d;
+    return memory_create(label, bytes ? bytes : 1, 1, e);
+}
+
+static void host_destroy(struct device *d, void *block)
+{
+    (void)d;
+    memory_free(block);
+}
+
+static void *host_pin(struct device *d, size_t bytes, struct error *e)
+{
+    return host_create(d, "copies", bytes, e);
+}
+
+static enum status host_read(struct device *d, void *host, const void *from, size_t bytes,
+                             struct error *e)
+{
+    (void)d;
+    (void)e;
+    memcpy(host, from, bytes);
+    return STATUS_OK;
+}
+
+struct keyed {
+    uint64_t key;
+    uint32_t value;
+};
+
+static int keyed_compare(const void *a, const void *b)
+{
+    uint64_t x = ((const struct keyed *)a)->key, y = ((const struct keyed *)b)->key;
+    return x < y ? -1 : x > y;
+}
+
+static enum status host_sort(struct device *d, const struct device_sort *s, struct error *e)
+{
+    (void)d;
+    struct keyed *pairs = malloc((s->count + 1) * sizeof *pairs);
+    if (!pairs)
+        return error_set(e, STATUS_RUN, "out of memory");
+    for (size_t i = 0; i < s->count; i++)
+        pairs[i] = (struct keyed){s->keys[i], s->values[i]};
+    qsort(pairs, s->count, sizeof *pairs, keyed_compare);
+    for (size_t i = 0; i < s->count; i++) {
+        s->sorted_keys[i] = pairs[i].key;
+        s->sorted_values[i] = pairs[i].value;
+    }
+    free(pairs);
+    return STATUS_OK;
+}
+
+static enum status host_scan(struct device *d, uint32_t *values, size_t count, struct error *e)
+{
+    uint32_t sum = 0;
+    (void)d;
+    (void)e;
+    for (size_t k = 0; k <= count; k++) {
+        uint32_t value = k < count ? values[k] : 0;
+        values[k] = sum;
+        sum += value;
+    }
+    return STATUS_OK;
+}
+
+static enum status host_wait(struct device *d, struct error *e)
+{
+    return d->lost ? error_set(e, STATUS_RUN, "out of memory for a recording") : STATUS_OK;
+}
+
+static void host_record(struct device *d)
+{
+    d->recording = calloc(1, sizeof *d->recording);
+    d->lost = d->lost || !d->recording;
+}
+
+static struct device_graph *host_recorded(struct device *d)
+{
+    struct device_graph *graph = d->recording;
+    d->recording = NULL;
+    return graph;
+}
+
+static void host_replay(struct device *d, struct device_graph *graph)
+{
+    (void)d;
+    for (size_t k = 0; k < graph->count; k++)
+        run(&graph->command[k]);
+}
+
+static void host_forget(struct device *d, struct device_graph *graph)
+{
+    (void)d;
+    if (graph)
+        free(graph->command);
+    free(graph);
+}
+
+static double host_peak(struct device *d)
+{
+    (void)d;
+    return 0;
+}
+
+const struct device_row device_host = {
+    .count = host_count,
+    .info = host_info,
+    .open = host_open,
+    .close = host_close,
+    .create = host_create,
+    .destroy = host_destroy,
+    .pin = host_pin,
+    .unpin = host_destroy,
+    .upload = host_copy,
+    .copy = host_copy,
+    .clear = host_clear,
+    .read = host_read,
+    .launch = host_launch,
+    .sort = host_sort,
+    .scan = host_scan,
+    .wait = host_wait,
+    .record = host_record,
+    .recorded = host_recorded,
+    .replay = host_replay,
+    .forget = host_forget,
+    .peak = host_peak,
+};
