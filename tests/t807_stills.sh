@@ -83,4 +83,14 @@ shoot --at 0 -o "$work/none.mp4" --set movie.codec=h264 --set movie.options=nons
 [ $? = 2 ] && grep -q "movie.options: nonsense: codec h264 has no such option; it has" "$work/out" &&
     [ -z "$(ls "$work" | grep none)" ]
 result $? "a wrong option is exit code 2, and nothing is written"
+"$SPH" "$work/scene.json" -v --threads 1 --at 0 -o "$work/v.mp4" >"$work/out" 2>&1
+[ "$(grep -c "video codec .*; passed over, since .*: h264-nvenc, hevc-nvenc" "$work/out")" = 1 ]
+result $? "-v says once that a GPU's codec is not chosen, and why"
+echo before >"$work/gpu.mp4"
+"$SPH" "$work/scene.json" --threads 1 --at 0 --size 160x96 -o "$work/gpu.mp4" --set movie.codec=h264-nvenc \
+    >"$work/out" 2>&1
+code=$?
+[ $code = 0 ] || { [ $code = 3 ] && grep -q 'h264-nvenc cannot be opened: .*; use "h264"' "$work/out" &&
+    ! grep -q " particles," "$work/out" && [ "$(cat "$work"/gpu.mp4*)" = before ]; }
+result $? "a GPU's codec without one is exit code 3 before anything is computed; the earlier film stays"
 echo "1..$n"

@@ -16,6 +16,7 @@
 
 #include <fcntl.h>
 #include <libavcodec/avcodec.h>
+#include <libavutil/opt.h>
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -257,6 +258,14 @@ static void wishes_are_checked(void **state)
         {"x.mp4", {.codec = "mpeg4", .pixel_format = "yuv999"}, "it takes yuv420p"},
         {"x.mp4", {.codec = "mpeg4", .options = "b_strategy=many"}, "does not take \"many\""},
         {"x.y4m", {.pixel_format = "yuv999"}, "does not take \"yuv999\""},
+        {"x.mp4", {.codec = "h264-nvenc"}, "takes 145 x 49 pixels and more, not 64 x 48; smaller ones "
+         "are for \"h264\""},
+        {"x.mkv", {.codec = "hevc-nvenc"}, "takes 129 x 33 pixels and more, not 64 x 48"},
+        {"x.mp4", {.codec = "h264-nvenc", .crf = "0"}, "codec h264-nvenc takes 1 and more, not 0"},
+        {"x.mp4", {.codec = "h264-nvenc", .crf = "60"}, "codec h264-nvenc does not take \"60\""},
+        {"x.mp4", {.codec = "h264-nvenc", .preset = "veryfast"}, "does not take \"veryfast\""},
+        {"x.mp4", {.codec = "h264-nvenc", .pixel_format = "bgr0"}, "it takes yuv420p"},
+        {"x.webm", {.codec = "h264-nvenc"}, "webm files cannot hold h264-nvenc"},
     };
     struct error e;
     (void)state;
@@ -272,6 +281,126 @@ static void wishes_are_checked(void **state)
     assert_int_equal(directory_count(), 0);
 }
 
+static void check_option(AVCodecContext *context, const char *key, const char *value)
+{
+    uint8_t *text = NULL;
+    assert_true(av_opt_get(context->priv_data, key, 0, &text) >= 0);
+    if (atof((char *)text) != atof(value))
+        fail_msg("%s is %s instead of %s", key, text, value);
+    av_free(text);
+}
+
+/* What NVENC is told: presets and modes have the numbers of libavcodec's and NVIDIA's lists. */
+static void gpu_settings(void **state)
+{
+    static const struct {
+        const char *codec;
+        struct encode_video video;
+        const char *cq, *preset, *tune;
+        int format, b_frames;
+    } rows[] = {
+        {"h264-nvenc", {.codec = NULL}, "20", "p4", "hq", AV_PIX_FMT_YUV420P, 2},
+        {"hevc-nvenc", {.codec = NULL}, "22", "p4", "hq", AV_PIX_FMT_YUV420P, -1},
+        {"h264-nvenc", {.crf = "18.5", .preset = "p6", .tune = "ll", .pixel_format = "yuv444p",
+                        .options = "bf=0"}, "18.5", "p6", "ll", AV_PIX_FMT_YUV444P, 0}};
+    const struct codec_picture picture = {161, 97, {25, 1}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct codec_row *row =
+            (const struct codec_row *)variant_find(&codec_table, rows[i].codec);
+        AVCodecContext *context;
+        struct error e = {STATUS_OK, ""};
+        int64_t preset, tune, number;
+        if (!has_encoder(rows[i].codec))
+            continue;
+        assert_int_equal(codec_prepare(&context, row, &picture, &rows[i].video, &e), STATUS_OK);
+        check_option(context, "cq", rows[i].cq);
+        check_option(context, "rc", "1"); /* NV_ENC_PARAMS_RC_VBR */
+        assert_true(av_opt_get_int(context->priv_data, "preset", 0, &preset) >= 0);
+        assert_true(av_opt_get_int(context->priv_data, "tune", 0, &tune) >= 0);
+        av_opt_set(context->priv_data, "preset", rows[i].preset, 0);
+        av_opt_set(context->priv_data, "tune", rows[i].tune, 0);
+        assert_true(av_opt_get_int(context->priv_data, "preset", 0, &number) >= 0 && number == preset);
+        assert_true(av_opt_get_int(context->priv_data, "tune", 0, &number) >= 0 && number == tune);
+        assert_int_equal(context->pix_fmt, rows[i].format);
+        assert_int_equal(context->width, rows[i].format == AV_PIX_FMT_YUV420P ? 162 : 161);
+        assert_int_equal(context->max_b_frames, rows[i].b_frames);
+        assert_int_equal(context->gop_size, 50);
+        assert_int_equal(context->color_range, AVCOL_RANGE_MPEG);
+        assert_int_equal(context->colorspace, AVCOL_SPC_BT709);
+        assert_int_equal(context->color_trc, AVCOL_TRC_BT709);
+        assert_int_equal(context->color_primaries, AVCOL_PRI_BT709);
+        avcodec_free_context(&context);
+    }
+}
+
+/* A GPU's encoder is tried even when only asked about, other encoders are not; when it opens for other
+ * pictures the scene is at fault. An encoder that every machine has stands in for the GPU's. */
+static void gpu_is_tried(void **state)
+{
+    struct codec_row row = {.variant = {.name = "stand-in"}, .encoder = "mpeg4", .threads = 1,
+                            .pixel_format = "yuv420p", .least_size = {32, 32}};
+    const struct codec_picture fits = {64, 48, {30, 1}}, wide = {16384, 64, {30, 1}};
+    const struct encode_video video = {.codec = NULL};
+    AVCodecContext *context = NULL;
+    struct error e;
+    (void)state;
+    assert_int_equal(codec_try(NULL, &row, &wide, &video, &e), STATUS_OK);
+    assert_int_equal(codec_try(&context, &row, &wide, &video, &e), STATUS_BACKEND);
+    row.without_gpu = "h264";
+    assert_int_equal(codec_try(NULL, &row, &fits, &video, &e), STATUS_OK);
+    assert_int_equal(codec_try(NULL, &row, &wide, &video, &e), STATUS_USAGE);
+    assert_non_null(strstr(e.text, "opens here, but not for 16384 x 64 pixels of yuv420p"));
+    assert_int_equal(codec_try(&context, &row, &wide, &video, &e), STATUS_USAGE);
+    assert_null(context);
+    assert_int_equal(codec_try(&context, &row, &fits, &video, &e), STATUS_OK);
+    codec_close(&context, false);
+}
+
+/* Without such a GPU the refusal says what to use, and leaves an earlier film alone; with one the film
+ * is what was drawn. */
+static void gpu_encodes_or_refuses(void **state)
+{
+    static const char *const codecs[][2] = {{"h264-nvenc", "use \"h264\""},
+                                            {"hevc-nvenc", "use \"hevc\""}};
+    struct encode_target target = target_of(in_directory("g.mp4"), 320, 192);
+    struct error e;
+    struct film film;
+    (void)state;
+    fclose(fopen(target.path, "w"));
+    for (size_t i = 0; i < sizeof codecs / sizeof *codecs; i++) {
+        target.video.codec = codecs[i][0];
+        enum status status = encode_check(&target, &e);
+        if (status) {
+            assert_int_equal(status, STATUS_BACKEND);
+            assert_non_null(strstr(e.text, codecs[i][1]));
+            assert_int_equal(write_film(target, MOVING, 3, true, &e), STATUS_BACKEND);
+            assert_non_null(strstr(e.text, codecs[i][1]));
+            struct stat file;
+            assert_true(stat(target.path, &file) == 0 && file.st_size == 0);
+        } else {
+            assert_int_equal(write_film(target, MOVING, FRAMES, true, &e), STATUS_OK);
+            assert_true(decode(target.path, &film));
+            assert_int_equal(film.frames, FRAMES);
+            assert_true(film.tagged);
+            fclose(fopen(target.path, "w"));
+        }
+        assert_int_equal(directory_count(), 1);
+    }
+}
+
+/* Nothing that a machine's GPU decides is chosen unless it is named. */
+static void no_gpu_by_default(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < encode_table.count; i++) {
+        const struct encoder_row *row = (const struct encoder_row *)encode_table.rows[i];
+        for (const char *const *name = row->container ? row->container->codecs : NULL; name && *name;
+             name++)
+            assert_null(((const struct codec_row *)variant_find(&codec_table, *name))->without_gpu);
+    }
+}
+
 #define IN_DIRECTORY(f) cmocka_unit_test_setup_teardown(f, directory_make, directory_remove)
 
 int main(void)
@@ -282,6 +411,8 @@ int main(void)
         IN_DIRECTORY(lossless_films),  cmocka_unit_test(palettes_fit_pictures),
         IN_DIRECTORY(y4m_is_plain),
         IN_DIRECTORY(y4m_to_standard_output), IN_DIRECTORY(wishes_are_checked),
+        cmocka_unit_test(gpu_settings), cmocka_unit_test(gpu_is_tried),
+        IN_DIRECTORY(gpu_encodes_or_refuses), cmocka_unit_test(no_gpu_by_default),
     };
     log_set_level(LOG_ERROR);
     return cmocka_run_group_tests_name("films", tests, NULL, NULL);

@@ -26,11 +26,14 @@ static void append(char *text, size_t size, const char *word)
 }
 
 /* Whether frames can be converted to it, by libswscale or encode/palette.h. The yuvj formats would
- * contradict our range. */
-static bool format_usable(enum AVPixelFormat format)
+ * contradict our range; and GPUs make BT.601 of packed RGB, which would contradict our matrix. */
+static bool format_usable(const struct codec_row *row, enum AVPixelFormat format)
 {
+    const uint64_t rgb = AV_PIX_FMT_FLAG_RGB, planar = AV_PIX_FMT_FLAG_PLANAR;
     if (format == AV_PIX_FMT_PAL8)
         return true;
+    if (row->without_gpu && (av_pix_fmt_desc_get(format)->flags & (rgb | planar)) == rgb)
+        return false;
     return sws_isSupportedOutput(format) && strncmp(av_get_pix_fmt_name(format), "yuvj", 4) != 0;
 }
 
@@ -40,10 +43,10 @@ static enum status find_format(const AVCodec *encoder, const struct codec_row *r
 {
     char known[900] = "";
     *found = av_get_pix_fmt(name);
-    if (!encoder->pix_fmts && *found != AV_PIX_FMT_NONE && format_usable(*found))
+    if (!encoder->pix_fmts && *found != AV_PIX_FMT_NONE && format_usable(row, *found))
         return STATUS_OK;
     for (const enum AVPixelFormat *f = encoder->pix_fmts; f && *f != AV_PIX_FMT_NONE; f++) {
-        if (!format_usable(*f))
+        if (!format_usable(row, *f))
             continue;
         if (*f == *found)
             return STATUS_OK;
@@ -137,6 +140,16 @@ static enum status set_said(AVCodecContext *context, const struct codec_row *row
                                   row->variant.name, value) : STATUS_OK;
 }
 
+/* movie.crf, which some encoders would take for something else below a number. */
+static enum status set_crf(AVCodecContext *context, const struct codec_row *row, const char *crf,
+                           struct error *e)
+{
+    if (crf && row->crf && strtod(crf, NULL) < row->least_crf)
+        return error_set(e, STATUS_USAGE, "movie.crf: codec %s takes %d and more, not %s",
+                         row->variant.name, row->least_crf, crf);
+    return set_said(context, row, "movie.crf", row->crf, crf, e);
+}
+
 /* "key=value key=value" */
 static enum status set_listed(AVCodecContext *context, const struct codec_row *row,
                               const char *list, struct error *e)
@@ -162,7 +175,7 @@ static enum status set_options(AVCodecContext *context, const struct codec_row *
     if (set_defaults(context, row, e) ||
         set_said(context, row, "movie.preset", row->preset, v->preset, e) ||
         set_said(context, row, "movie.tune", row->tune, v->tune, e) ||
-        set_said(context, row, "movie.crf", row->crf, v->crf, e))
+        set_crf(context, row, v->crf, e))
         return e->status;
     return set_listed(context, row, v->options, e);
 }
@@ -181,15 +194,24 @@ static enum status open_context(AVCodecContext *context, const struct encode_vid
                      reason);
 }
 
-enum status codec_try(AVCodecContext **opened, const struct codec_row *row,
-                      const struct codec_picture *picture, const struct encode_video *video,
-                      struct error *e)
+static enum status check_size(const AVCodecContext *context, const struct codec_row *row,
+                              struct error *e)
+{
+    const int *least = row->least_size;
+    if (context->width >= least[0] && context->height >= least[1])
+        return STATUS_OK;
+    return error_set(e, STATUS_USAGE, "movie.size: codec %s takes %d x %d pixels and more, not %d x %d; "
+                     "smaller ones are for \"%s\"", row->variant.name, least[0], least[1],
+                     context->width, context->height, row->without_gpu);
+}
+
+enum status codec_prepare(AVCodecContext **prepared, const struct codec_row *row,
+                          const struct codec_picture *picture, const struct encode_video *video,
+                          struct error *e)
 {
     enum AVPixelFormat format;
     libav_quiet();
-    setenv("SVT_LOG", "1", 0); /* errors only; the first call comes before there are threads */
-    if (opened)
-        *opened = NULL;
+    *prepared = NULL;
     const AVCodec *found = avcodec_find_encoder_by_name(row->encoder);
     if (!found)
         return error_set(e, STATUS_BACKEND, "%s is not in this machine's libavcodec", row->encoder);
@@ -200,14 +222,63 @@ enum status codec_try(AVCodecContext **opened, const struct codec_row *row,
     if (!context)
         return error_set(e, STATUS_RUN, "no memory");
     describe(context, row, picture, format);
-    enum status status = set_options(context, row, video, e);
-    if (!status && opened)
+    if (set_options(context, row, video, e) || check_size(context, row, e)) {
+        avcodec_free_context(&context);
+        return e->status;
+    }
+    *prepared = context;
+    return STATUS_OK;
+}
+
+/* Whether the GPU has this encoder at all, for a picture and settings that suit any. */
+static bool gpu_has(const struct codec_row *row)
+{
+    const struct codec_picture picture = {256, 256, {30, 1}};
+    const struct encode_video video = {.codec = NULL};
+    AVCodecContext *context = NULL;
+    struct error ignored = {STATUS_OK, ""};
+    bool has = codec_prepare(&context, row, &picture, &video, &ignored) == STATUS_OK &&
+               open_context(context, &video, &ignored) == STATUS_OK;
+    avcodec_free_context(&context);
+    return has;
+}
+
+enum status codec_try(AVCodecContext **opened, const struct codec_row *row,
+                      const struct codec_picture *picture, const struct encode_video *video,
+                      struct error *e)
+{
+    AVCodecContext *context;
+    enum status status = STATUS_OK;
+    setenv("SVT_LOG", "1", 0); /* errors only; the first call comes before there are threads */
+    if (opened)
+        *opened = NULL;
+    if (codec_prepare(&context, row, picture, video, e))
+        return e->status;
+    if (opened || row->without_gpu)
         status = open_context(context, video, e);
+    if (status == STATUS_BACKEND && row->without_gpu && gpu_has(row)) {
+        struct error reason = *e;
+        status = error_set(e, STATUS_USAGE, "codec %s opens here, but not for %d x %d pixels of %s and "
+                           "these settings: %s; \"%s\" needs no GPU", row->variant.name,
+                           context->width, context->height, av_get_pix_fmt_name(context->pix_fmt),
+                           reason.text, row->without_gpu);
+    }
     if (!status && opened)
         *opened = context;
     else
         avcodec_free_context(&context);
     return status;
+}
+
+/* Completes the reason why a codec that was asked for does not open. */
+static enum status cannot_open(const struct codec_row *row, struct error *e)
+{
+    struct error reason = *e;
+    if (!row->without_gpu)
+        return error_context(e, "movie.codec: %s cannot be opened", row->variant.name);
+    return error_set(e, STATUS_BACKEND, "movie.codec: %s cannot be opened: %s. It needs an NVIDIA GPU "
+                     "with an encoder, and its driver; use \"%s\", which needs none",
+                     row->variant.name, reason.text, row->without_gpu);
 }
 
 /* The codec that the scene names, when the container can hold it. */
@@ -229,15 +300,28 @@ static enum status open_named(AVCodecContext **opened, const struct container *c
                          container->muxer, row->variant.name, known);
     }
     if (codec_try(opened, row, picture, video, e) == STATUS_BACKEND)
-        return error_context(e, "movie.codec: %s cannot be opened", row->variant.name);
+        return cannot_open(row, e);
     return e->status;
+}
+
+/* Which codecs that fit the file were not even tried, and why: "; ..." for the log, or nothing. */
+static void passed_over(const struct container *container, char *text, size_t size)
+{
+    char names[100] = "";
+    for (size_t i = 0; container->chooses && i < codec_table.count; i++) {
+        const struct codec_row *row = (const struct codec_row *)codec_table.rows[i];
+        if (row->without_gpu && container_holds(container, row->encoder))
+            append(names, sizeof names, row->variant.name);
+    }
+    snprintf(text, size, "%s%s", names[0] ? "; passed over, since a GPU's films differ between machines "
+             "and movie.codec does not ask for them: " : "", names);
 }
 
 enum status codec_open(AVCodecContext **opened, const struct container *container,
                        const struct codec_picture *picture, const struct encode_video *video,
                        struct error *e)
 {
-    char tried[1500] = "";
+    char tried[1500] = "", others[300];
     size_t used = 0;
     e->status = STATUS_OK;
     if (video->codec)
@@ -246,7 +330,10 @@ enum status codec_open(AVCodecContext **opened, const struct container *containe
         const struct codec_row *row = (const struct codec_row *)variant_find(&codec_table, *name);
         enum status status = codec_try(opened, row, picture, video, e);
         if (status == STATUS_OK) {
-            log_detail("video codec %s%s%s", row->encoder, used ? ", since " : "", tried);
+            passed_over(container, others, sizeof others);
+            if (opened)
+                log_detail("video codec %s%s%s%s", row->encoder, used ? ", since " : "", tried,
+                           others);
             return STATUS_OK;
         }
         if (status == STATUS_USAGE)

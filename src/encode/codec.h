@@ -21,6 +21,11 @@ struct codec_row {
     const char *tag;                 /* four letters in an mp4 file; NULL: the usual ones */
     const char *pixel_format;        /* unless movie.pixel_format says another */
     const char *crf, *preset, *tune; /* the encoder's options for movie.crf and so on; NULL: none */
+    int least_crf;                   /* a lower movie.crf would mean something else to the encoder */
+    int least_size[2];               /* of a GPU's encoder: pixels, after padding */
+    /* Of a GPU's encoder: the row that does as much without one. Only movie.codec chooses such a row,
+     * since its files depend on the machine, and it is tried before a run. Else NULL. */
+    const char *without_gpu;
     struct codec_option options[5];  /* ended by a NULL key; an unknown one is an error */
 };
 
@@ -31,9 +36,16 @@ struct codec_picture {
     int rate[2];       /* frames per second as a fraction */
 };
 
-/* Opens one codec: BT.709 and limited range, or RGB; time in frames; sides padded to whole chroma
- * pixels. STATUS_BACKEND with the bare reason; STATUS_USAGE when `video` asks for what the codec
- * lacks, with what it has. Free with codec_close. `context` NULL: only looks whether it could. */
+/* Sets one codec up, up to opening it: BT.709 and limited range, or RGB; time in frames; sides padded
+ * to whole chroma pixels. STATUS_BACKEND with the bare reason; STATUS_USAGE when `video` asks for what
+ * the codec lacks, with what it has. Free with avcodec_free_context. */
+enum status codec_prepare(struct AVCodecContext **context, const struct codec_row *row,
+                          const struct codec_picture *picture, const struct encode_video *video,
+                          struct error *e);
+
+/* Prepares and opens one codec; STATUS_USAGE, too, when a GPU's encoder opens for other pictures, but
+ * not for these. Free with codec_close. `context` NULL: only looks whether it could, which takes a
+ * trial of a GPU's encoder and no opening of another. */
 enum status codec_try(struct AVCodecContext **context, const struct codec_row *row,
                       const struct codec_picture *picture, const struct encode_video *video,
                       struct error *e);

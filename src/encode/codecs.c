@@ -10,12 +10,18 @@ static const struct codec_row h264 = {
     .options = {{"preset", "veryfast", false}, {"crf", "18", false},
                 {"x264-params", "asm=avx2", true}}};
 
-/* In every build of libavcodec, yet opens only where the GPU has an encoder. */
+/* NVENC is in most builds of libavcodec, yet opens only where a GPU and its driver have it. Its
+ * constant quality cq is a variable rate without a target; cq 0 would be libavcodec's target of
+ * 2 Mbit/s. HEVC has the B frames of its preset, since with older GPUs it has none. The smallest sizes
+ * are those that users report of chips since Turing. */
 static const struct codec_row h264_nvenc = {
-    .variant = {.name = "h264-nvenc", .doc = "H.264 by an NVIDIA GPU that has an encoder (mp4, mkv)"},
+    .variant = {.name = "h264-nvenc", .doc = "H.264 by an NVIDIA GPU that has an encoder, if named "
+                "(mp4, mkv); presets p1 to p7"},
     .encoder = "h264_nvenc", .threads = 1, .pixel_format = "yuv420p",
-    .crf = "qp", .preset = "preset", .tune = "tune",
-    .options = {{"preset", "p4", false}, {"rc", "constqp", false}, {"qp", "20", false}}};
+    .crf = "cq", .preset = "preset", .tune = "tune",
+    .least_crf = 1, .least_size = {145, 49}, .without_gpu = "h264",
+    .options = {{"preset", "p4", false}, {"rc", "vbr", false}, {"cq", "20", false},
+                {"bf", "2", false}}};
 
 static const struct codec_row hevc = {
     .variant = {.name = "hevc", .doc = "H.265 by libx265, smaller files (mp4, mkv)"},
@@ -25,10 +31,12 @@ static const struct codec_row hevc = {
                 {"x265-params", "log-level=none", false}}};
 
 static const struct codec_row hevc_nvenc = {
-    .variant = {.name = "hevc-nvenc", .doc = "H.265 by an NVIDIA GPU that has an encoder (mp4, mkv)"},
+    .variant = {.name = "hevc-nvenc", .doc = "H.265 by an NVIDIA GPU that has an encoder, if named "
+                "(mp4, mkv); presets p1 to p7"},
     .encoder = "hevc_nvenc", .threads = 1, .tag = "hvc1", .pixel_format = "yuv420p",
-    .crf = "qp", .preset = "preset", .tune = "tune",
-    .options = {{"preset", "p4", false}, {"rc", "constqp", false}, {"qp", "22", false}}};
+    .crf = "cq", .preset = "preset", .tune = "tune",
+    .least_crf = 1, .least_size = {129, 33}, .without_gpu = "hevc",
+    .options = {{"preset", "p4", false}, {"rc", "vbr", false}, {"cq", "22", false}}};
 
 static const struct codec_row av1 = {
     .variant = {.name = "av1", .doc = "AV1 by SVT-AV1 (mp4, webm, mkv); presets 0 to 13"},

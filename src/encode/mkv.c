@@ -3,7 +3,7 @@
 
 static const struct container container = {
     .muxer = "matroska",
-    .codecs = (const char *const[]){"h264", "h264-nvenc", "av1", "mpeg4", "ffv1", NULL},
+    .codecs = (const char *const[]){"h264", "av1", "mpeg4", "ffv1", NULL},
     .chooses = true,
     .formats = true,
 };

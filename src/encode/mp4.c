@@ -5,7 +5,7 @@ static const struct container container = {
     .muxer = "mp4",
     .options = {"movflags", "frag_keyframe+empty_moov+default_base_moof"},
     .final_options = {"movflags", "+faststart"},
-    .codecs = (const char *const[]){"h264", "h264-nvenc", "av1", "mpeg4", NULL},
+    .codecs = (const char *const[]){"h264", "av1", "mpeg4", NULL},
     .chooses = true,
     .formats = true,
 };

@@ -152,7 +152,7 @@ const struct key scene_core_keys[] = {
     {"movie.speed", KEY_REAL, KEY_ABOVE_MIN, "1", FROM(0), "", NULL,
      "scene seconds per second of film; 0.5 is slow motion", IN(movie.speed)},
     {"movie.codec", KEY_CHOICE, KEY_AUTO, "\"auto\"", ANY, "", "codecs",
-     "how mp4, webm and mkv are compressed; auto: h264, in webm vp9", IN(movie.codec)},
+     "how mp4, webm and mkv are compressed; auto: h264, in webm vp9, never a GPU's", IN(movie.codec)},
     {"movie.crf", KEY_REAL, KEY_AUTO, "\"auto\"", 0, 63, "", NULL,
      "constant quality of the codec, lower is better; auto: 18 to 28, by codec", IN(movie.crf)},
     {"movie.preset", KEY_TEXT, 0, "\"auto\"", ANY, "", NULL,
