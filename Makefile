@@ -24,7 +24,7 @@ CUDA     ?= $(if $(NVCC),1,0)
 MPICC    ?= $(shell command -v mpicc 2>/dev/null)
 MPI      ?= $(if $(MPICC),1,0)
 
-OPTIONS       := EGL OSMESA LIBAV CAIRO MUPARSER
+OPTIONS       := EGL OSMESA LIBAV CAIRO MUPARSER CUDA
 EGL_doc       := draws on a GPU or by Mesa software without a screen
 EGL_needs     := libegl-dev libgl-dev
 OSMESA_doc    := draws by Mesa software into memory
@@ -35,6 +35,8 @@ CAIRO_doc     := writes colour bar, title and time over frames; pdf, svg
 CAIRO_needs   := libcairo2-dev
 MUPARSER_doc   := understands formulas in studies
 MUPARSER_needs := libmuparser-dev
+CUDA_doc      := computes on GPUs of NVIDIA
+CUDA_needs    := the CUDA toolkit, 12.4 or later (NVCC=/path/to/nvcc)
 
 VERSION  := 0.1.0
 PACKAGES := libpng $(if $(filter 1,$(CAIRO)),cairo) $(if $(filter 1,$(MUPARSER)),muparser) $(if $(filter 1,$(LIBAV)),libavformat libavcodec libswscale libavutil)
@@ -47,15 +49,30 @@ CFLAGS_  := -std=c11 -D_GNU_SOURCE $(OPT) $(WARN) $(SAFE) $(OPENMP) -Isrc -I$(BU
             $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null) $(CFLAGS)
 LIBS     := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) -ldl -lm -lpthread
 
+# The toolkit that nvcc belongs to; machine code for GPUs that it knows, and PTX for later ones. The runtime
+# is linked in, and finds the driver when it is first used, if there is one.
+ifeq ($(CUDA),1)
+CUDA_ROOT  := $(patsubst %/bin/nvcc,%,$(realpath $(NVCC)))
+CUDA_KNOWN := $(shell $(NVCC) --list-gpu-code 2>/dev/null | sed 's/sm_//')
+CUDA_ARCHS ?= $(filter $(CUDA_KNOWN),75 80 86 90)
+NVCCFLAGS  := -std=c++20 -O3 --fmad=false -lineinfo -Isrc $(if $(filter clang,$(CC)),,-ccbin g++) \
+              $(foreach a,$(CUDA_ARCHS),-gencode arch=compute_$(a),code=sm_$(a)) \
+              -gencode arch=compute_$(lastword $(CUDA_ARCHS)),code=compute_$(lastword $(CUDA_ARCHS))
+CUDA_LIB   := $(firstword $(wildcard $(CUDA_ROOT)/lib64/libcudart_static.a \
+              $(CUDA_ROOT)/targets/*/lib/libcudart_static.a))
+LIBS       += $(CUDA_LIB) -lrt -lstdc++
+endif
+
 SOURCES  := $(sort $(shell find src -name '*.c'))
-OBJECTS  := $(SOURCES:%.c=$(BUILD)/%.o)
+SOURCES_CU := $(if $(filter 1,$(CUDA)),$(sort $(shell find src -name '*.cu')))
+OBJECTS  := $(SOURCES:%.c=$(BUILD)/%.o) $(SOURCES_CU:%.cu=$(BUILD)/%.cu.o)
 LIBRARY  := $(BUILD)/libsph-render.a
 PROGRAM  := $(BUILD)/sph-render
 SHADERS  := $(wildcard shaders/*)
 SHADER_H := $(SHADERS:shaders/%=$(BUILD)/gen/shaders/%.h)
 TESTS_C  := $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/t*.c))
 
-.PHONY: all movie test run-tests validate study bench info install clean FORCE
+.PHONY: all movie test run-tests validate study bench test-gpu bench-gpu info install clean FORCE
 .SECONDARY: $(SHADER_H)
 all: $(PROGRAM)
 
@@ -77,12 +94,17 @@ $(BUILD)/src/render/splat_avx512.o: ISA := -O3 -mavx512f -mavx512dq -mavx512vl -
 # Flags are part of every object: a change of options rebuilds.
 $(BUILD)/flags: FORCE
 	@mkdir -p $(@D)
-	@echo '$(CC) $(subst ','\'',$(CFLAGS_))' | cmp -s - $@ || echo '$(CC) $(subst ','\'',$(CFLAGS_))' > $@
+	@echo '$(CC) $(subst ','\'',$(CFLAGS_)) $(NVCCFLAGS)' | cmp -s - $@ || \
+	    echo '$(CC) $(subst ','\'',$(CFLAGS_)) $(NVCCFLAGS)' > $@
 FORCE:
 
 $(BUILD)/%.o: %.c $(BUILD)/flags | $(SHADER_H)
 	@mkdir -p $(@D)
 	$(call quiet,CC   $<) $(CC) $(CFLAGS_) $(ISA) -MMD -MP -c -o $@ $<
+
+$(BUILD)/%.cu.o: %.cu $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call quiet,NVCC $<) $(NVCC) $(NVCCFLAGS) -MMD -MF $(@:.o=.d) -c -o $@ $<
 
 # A shader becomes a C string: #include "shaders/NAME.h" as an initializer.
 $(BUILD)/gen/shaders/%.h: shaders/%
@@ -122,14 +144,22 @@ study: all
 bench: all
 	$(PROGRAM) bench scenes/bench/*.json scenes/seeds/*.json
 
+# On a machine with a GPU; results are in out/gpu.
+test-gpu: all
+	@mkdir -p out/gpu
+	@BUILD=$(BUILD) sh tests/gpu-states.sh | tee out/gpu/test.txt
+	@awk '/^ok /{p++} /^not ok /{f++} END{print p + 0 " passed, " f + 0 " failed"; exit f > 0}' out/gpu/test.txt
+bench-gpu: all
+	@BUILD=$(BUILD) sh tests/gpu-bench.sh
+
 info:
 	@echo "sph-render $(VERSION)"
 	@echo "compiler   $(CC): $$($(CC) --version | head -n 1)"
 	@echo "also       $$(command -v clang gcc nvcc mpicc | tr '\n' ' ')"
 	@echo "flags      $(CFLAGS_)"
-	@echo "back ends  cpu (scalar, AVX2, AVX-512: the best that the processor has)"
+	@echo "back ends  cpu (scalar, AVX2, AVX-512: the best that the processor has)$(if $(filter 1,$(CUDA)), cuda)"
 	@$(foreach o,$(OPTIONS),echo "$(o)=$($(o))  $($(o)_doc)$(if $(filter 0,$($(o))),: not built in; needs $($(o)_needs))";)
-	@echo "CUDA=$(CUDA)  $(if $(NVCC),$(NVCC) found,no nvcc found); the program has no CUDA code yet"
+	$(if $(filter 1,$(CUDA)),@echo "GPUs       $(foreach a,$(CUDA_ARCHS),sm_$(a)) and PTX, by $(NVCC)")
 	@echo "MPI=$(MPI)  $(if $(MPICC),$(MPICC) found,no mpicc found); the program has no MPI code yet"
 
 install: all

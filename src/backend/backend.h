@@ -63,6 +63,9 @@ struct backend; /* each back end's own state */
 
 struct backend_row {
     struct variant variant;
+    bool has_devices; /* NAME:N is its device N */
+    /* Whether it can run here, else why not; NULL: everywhere. */
+    bool (*available)(const char **why);
     /* Takes over `particles` (positions, velocities, densities, ids, fluids set) and the wall
      * particles, which may be empty. */
     enum status (*open)(struct backend **backend, const struct backend_setup *setup,
@@ -84,12 +87,22 @@ struct backend_row {
     const char *(*describe)(struct backend *backend);
     /* Measured multiply-add peak in FLOP/s on the same threads and lanes. */
     double (*peak)(struct backend *backend);
+    /* Measured bytes per second that a copy reads and writes; NULL: not measured. */
+    double (*bandwidth)(struct backend *backend);
     void (*close)(struct backend *backend);
 };
 
 extern const struct variant_table backend_table; /* "backends" */
 extern const struct backend_row backend_cpu;
-extern const struct backend_row backend_cuda; /* only with CUDA=1 */
+extern const struct backend_row backend_cuda;
 extern const struct backend_row backend_cuda_host; /* of tests: not in the table */
+
+/* The row of --backend NAME or NAME:N, and N; NULL for "auto". STATUS_USAGE when there is none,
+ * STATUS_BACKEND when it is not in this build. */
+enum status backend_find(const char *name, const struct backend_row **row, int *device,
+                         struct error *e);
+
+/* The first that can run here. */
+const struct backend_row *backend_first(void);
 
 #endif

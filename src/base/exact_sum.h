@@ -18,18 +18,18 @@ struct exact_sum {
     bool bad;
 };
 
-static inline void exact_add(struct exact_sum *s, double term)
+/* What a term adds to parts k, k + 1 and k + 2; returns k, or -1 for nothing, or -2 when the sum is to be
+ * NAN. */
+static inline int exact_split(double term, int64_t part[3])
 {
     uint64_t bits, low = 0xffffffffu;
-    if (!(fabs(term) < 0x1p127)) {
-        s->bad = true;
-        return;
-    }
+    if (!(fabs(term) < 0x1p127))
+        return -2;
     memcpy(&bits, &term, sizeof bits);
     uint64_t mantissa = (bits & (UINT64_MAX >> 12)) | UINT64_C(1) << 52;
     int place = (int)(bits >> 52 & 0x7ff) - 1075 + EXACT_LOWEST;
     if (place <= -53)
-        return;
+        return -1;
     if (place < 0) {
         mantissa >>= -place;
         place = 0;
@@ -37,9 +37,19 @@ static inline void exact_add(struct exact_sum *s, double term)
     int k = place / 32, shift = place % 32;
     uint64_t rest = mantissa >> (32 - shift);
     int64_t sign = bits >> 63 ? -1 : 1;
-    s->part[k] += sign * (int64_t)(mantissa << shift & low);
-    s->part[k + 1] += sign * (int64_t)(rest & low);
-    s->part[k + 2] += sign * (int64_t)(rest >> 32);
+    part[0] = sign * (int64_t)(mantissa << shift & low);
+    part[1] = sign * (int64_t)(rest & low);
+    part[2] = sign * (int64_t)(rest >> 32);
+    return k;
+}
+
+static inline void exact_add(struct exact_sum *s, double term)
+{
+    int64_t part[3];
+    int k = exact_split(term, part);
+    s->bad = s->bad || k == -2;
+    for (int n = 0; n < 3 && k >= 0; n++)
+        s->part[k + n] += part[n];
 }
 
 static inline void exact_merge(struct exact_sum *s, const struct exact_sum *other)

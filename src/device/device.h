@@ -46,6 +46,7 @@ struct device_graph; /* launches that are repeated as one */
 struct device_row {
     /* Devices there are; 0 without a driver or GPU, with the reason in *why. */
     int (*count)(const char **why);
+    /* STATUS_BACKEND when there is no such device. */
     enum status (*info)(int index, struct device_info *info, struct error *e);
     enum status (*open)(struct device **device, int index, struct error *e);
     void (*close)(struct device *device);
@@ -74,8 +75,9 @@ struct device_row {
     struct device_graph *(*recorded)(struct device *device);
     void (*replay)(struct device *device, struct device_graph *graph);
     void (*forget)(struct device *device, struct device_graph *graph);
-    /* Measured multiply-adds, FLOP/s. */
+    /* Measured multiply-adds, FLOP/s, and bytes that a copy reads and writes, 1/s. */
     double (*peak)(struct device *device);
+    double (*bandwidth)(struct device *device);
 };
 
 extern const struct device_row device_host; /* on the host: for tests */

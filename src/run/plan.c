@@ -225,18 +225,13 @@ static enum status plan_rows(struct plan *plan, const struct scene *scene,
                              const struct run_options *options, struct error *e)
 {
     bool automatic = strcmp(scene->neighbours, "auto") == 0;
-    const char *backend = options->backend ? options->backend : "auto";
     *plan = (struct plan){.scene = scene};
     plan->solver = (const struct solver_row *)variant_find(&solver_table, scene->solver.method);
     plan->search = automatic ? &search_index_sort
                              : (const struct search_row *)variant_find(&search_table,
                                                                        scene->neighbours);
-    plan->backend = (const struct backend_row *)(strcmp(backend, "auto") == 0
-                                                     ? variant_first(&backend_table)
-                                                     : variant_find(&backend_table, backend));
-    if (!plan->backend || plan->backend->variant.missing)
-        return error_set(e, STATUS_USAGE, "--backend %s: not in this build; see sph-render list",
-                         backend);
+    if (backend_find(options->backend ? options->backend : "auto", &plan->backend, &plan->device, e))
+        return e->status;
     if (options->strict && isnan(scene->time.step))
         return error_set(e, STATUS_USAGE, "--strict: %s gives no time.step that could be too "
                          "long; give one, or leave out --strict", scene->source);

@@ -17,7 +17,7 @@ struct plan {
     const struct scene *scene;
     const struct solver_row *solver;
     const struct search_row *search;
-    const struct backend_row *backend;
+    const struct backend_row *backend; /* NULL: the first that can run, when it does */
     const struct color_row *color; /* NULL when no output wants pixels */
     bool draws;
     struct color_scale scale;      /* of the colour's values */

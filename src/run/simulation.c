@@ -152,9 +152,10 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .device = plan->device,
         .timed = options->timed,
     };
-    *s = (struct simulation){.plan = plan, .row = plan->backend, .last_dt = INFINITY,
+    const struct backend_row *row = plan->backend ? plan->backend : backend_first();
+    *s = (struct simulation){.plan = plan, .row = row, .last_dt = INFINITY,
                              .relax = {1, 1, 1}, .strict = options->strict,
-                             .queues = plan->backend->settle && !options->timed};
+                             .queues = row->settle && !options->timed};
     s->stats.dt_min = INFINITY;
     if (start_bodies(plan->scene, &plan->space, &plan->bodies, plan->fields, &particles, e) ||
         solver_start(&plan->choice, &particles, e) ||

@@ -27,6 +27,8 @@ struct result {
     char title[128], backend[128];
     double particles, steps, sorts, time, dt; /* count, count, count, s, s */
     double ns, pairs_per_second, pairs_per_particle, peak, share;
+    double bytes;             /* per particle and step, at the least */
+    double bandwidth;         /* measured, bytes/s; 0: it was not */
     double phase[PASS_COUNT]; /* ns per particle and step */
     double runs[PASS_COUNT];  /* per step: iterations, of what solves repeat */
     double solve_s; /* measured, s */
@@ -90,6 +92,21 @@ static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "JSON instead of a table", 0},
     {0}};
 
+/* Bytes that a pass moves per particle at the least: each field once, and its rows. */
+static double pass_bytes(const struct simulation *s, enum pass_id id)
+{
+    const struct pass_row *pass = &pass_table[id];
+    const struct solver_choice *c = &s->plan->choice;
+    double bytes = 0, n = fmax((double)s->plan->bodies.count, 1);
+    for (int f = 0; f < FIELD_COUNT; f++) {
+        unsigned bit = FIELD_BIT(f) & s->plan->fields;
+        bytes += (double)field_table[f].size * ((pass->reads & bit ? 1 : 0) + (pass->writes & bit ? 1 : 0));
+    }
+    if (pass->kind == PASS_PAIR)
+        bytes += solver_row_bytes(c) * s->row->counts(s->backend)->row_entries / n;
+    return bytes;
+}
+
 static void collect(struct simulation *s, const struct backend_counts *before, long steps,
                     long sorts, double elapsed, struct result *r)
 {
@@ -109,9 +126,11 @@ static void collect(struct simulation *s, const struct backend_counts *before, l
     r->pairs_per_particle = work > 0 ? pairs / work : 0;
     r->peak = s->row->peak(s->backend);
     r->share = pair_force_flops(s->plan->choice.flags) * pairs / elapsed / r->peak;
+    r->bandwidth = s->row->bandwidth ? s->row->bandwidth(s->backend) : 0;
     for (int p = 0; p < PASS_COUNT && work > 0; p++) {
         r->phase[p] = (now->seconds[p] - before->seconds[p]) * 1e9 / work;
         r->runs[p] = (double)(now->runs[p] - before->runs[p]) / (double)steps;
+        r->bytes += r->runs[p] * pass_bytes(s, (enum pass_id)p);
     }
 }
 
@@ -154,10 +173,12 @@ static void print_json(const struct result *r, size_t count)
                "\"steps\": %.0f, \"sorts\": %.0f, \"time\": %.9g, \"dt\": %.9g, "
                "\"ns_per_particle_step\": %.4f, \"ms_per_step\": %.4f, "
                "\"pairs_per_second\": %.6g, \"pairs_per_particle\": %.3f, "
-               "\"peak_flops\": %.6g, \"peak_share\": %.4f, \"phases\": {",
+               "\"peak_flops\": %.6g, \"peak_share\": %.4f, \"bytes_per_particle_step\": %.1f, "
+               "\"bytes_per_second\": %.6g, \"copy_bandwidth\": %.6g, \"phases\": {",
                k ? "," : "", title, r->backend, r->particles, r->steps, r->sorts, r->time,
                r->dt, r->ns, r->solve_s * 1e3 / r->steps, r->pairs_per_second,
-               r->pairs_per_particle, r->peak, r->share);
+               r->pairs_per_particle, r->peak, r->share, r->bytes, 1e9 * r->bytes / r->ns,
+               r->bandwidth);
         const char *comma = "";
         for (int p = 0; p < PASS_COUNT; p++)
             if (r->phase[p] > 0) {
@@ -187,6 +208,12 @@ static void print_table(const struct result *r, size_t count)
                r->pairs_per_particle, r->pairs_per_second * 1e-6);
         printf("  %8.1f %% of this machine's multiply-add peak, %.1f GFLOP/s\n", 100 * r->share,
                r->peak * 1e-9);
+        printf("  %8.1f GB/s at the least, %.0f bytes per particle and step", r->bytes / r->ns,
+               r->bytes);
+        if (r->bandwidth > 0)
+            printf(": %.1f %% of what a copy reaches, %.0f GB/s", 1e11 * r->bytes / r->ns / r->bandwidth,
+                   1e-9 * r->bandwidth);
+        putchar('\n');
         for (int p = 0; p < PASS_COUNT; p++)
             if (r->phase[p] > 0)
                 printf("  %8.1f ns  %5.1f %%  %-10s %6.3g a step\n", r->phase[p],

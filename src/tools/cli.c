@@ -15,8 +15,8 @@
 static void print_version(FILE *out, struct argp_state *state)
 {
     (void)state;
-    fprintf(out, "sph-render %s (EGL %d, OSMesa %d, libav %d, cairo %d)\n", SPH_VERSION,
-            HAVE_EGL, HAVE_OSMESA, HAVE_LIBAV, HAVE_CAIRO);
+    fprintf(out, "sph-render %s (EGL %d, OSMesa %d, libav %d, cairo %d, CUDA %d)\n", SPH_VERSION,
+            HAVE_EGL, HAVE_OSMESA, HAVE_LIBAV, HAVE_CAIRO, HAVE_CUDA);
 }
 
 /* A mistyped sub-command looks like a scene file that is not there. */

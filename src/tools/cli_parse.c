@@ -1,4 +1,5 @@
 /* Reads the options of a film. */
+#include "backend/backend.h"
 #include "base/log.h"
 #include "compare/gate.h"
 #include "tools/cli.h"
@@ -166,6 +167,14 @@ static void read_variant(struct cli *cli, const struct cli_option *option, const
     cli_check_variant(what, option->table, value, &cli->error);
 }
 
+static void read_backend(struct cli *cli, const char *value)
+{
+    const struct backend_row *row;
+    int device;
+    cli->run.backend = value;
+    backend_find(value, &row, &device, &cli->error);
+}
+
 static void read_argument(struct cli *cli, const char *value)
 {
     if (cli->scene)
@@ -194,7 +203,7 @@ static error_t parse_option(int key, char *value, struct argp_state *state)
     case CLI_SOLVER:
     case CLI_COLOR: add_override(cli, option, value); break;
     case CLI_THREADS: read_threads(cli, value); break;
-    case CLI_BACKEND: read_variant(cli, option, value, &cli->run.backend); break;
+    case CLI_BACKEND: read_backend(cli, value); break;
     case CLI_RENDERER: read_variant(cli, option, value, &cli->run.renderer); break;
     case CLI_ISA: read_variant(cli, option, value, &cli->run.isa); break;
     case CLI_STRICT: cli->run.strict = true; break;

@@ -3,6 +3,7 @@
 #include "base/suggest.h"
 #include "run/run.h"
 #include "study/products/products.h"
+#include "tools/devices.h"
 #include "tools/tools.h"
 
 #include <argp.h>
@@ -75,6 +76,7 @@ static int unknown_table(const char *what)
     struct suggest near;
     suggest_start(&near, what);
     suggest_offer(&near, "keys");
+    suggest_offer(&near, "devices");
     for (size_t t = 0; table_at(t); t++)
         suggest_offer(&near, table_at(t)->name);
     const char *best = suggest_best(&near);
@@ -87,6 +89,10 @@ static int print_one(const char *what)
 {
     if (strcmp(what, "keys") == 0) {
         scene_write_keys(&run_vocabulary, stdout);
+        return STATUS_OK;
+    }
+    if (strcmp(what, "devices") == 0) {
+        devices_print();
         return STATUS_OK;
     }
     for (size_t t = 0; table_at(t); t++)
@@ -104,7 +110,7 @@ static int list_main(int argc, char **argv)
     static const struct argp argp = {
         options, parse_option, "[TABLE]",
         "Prints the tables of solvers, kernels, encoders and so on, or one of them; `keys' is the "
-        "table of scene keys.", NULL, NULL, NULL};
+        "table of scene keys, and `devices' the GPUs of this machine.", NULL, NULL, NULL};
     static char name[] = "sph-render list";
     struct list list = {0};
     argv[0] = name;

@@ -42,7 +42,7 @@ static void destroy_particles(struct backend *b, struct particles *p)
     *p = (struct particles){0};
 }
 
-static void cuda_close(struct backend *b)
+void cuda_close(struct backend *b)
 {
     if (!b)
         return;
@@ -206,7 +206,7 @@ enum status cuda_open_on(const struct device_row *row, const struct kernel *kern
     return STATUS_OK;
 }
 
-static enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, struct error *e)
+enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, struct error *e)
 {
     double start = clock_seconds();
     e->status = STATUS_OK;
@@ -227,12 +227,12 @@ static enum status cuda_run(struct backend *b, enum pass_id pass, struct step *s
     return e->status;
 }
 
-static void cuda_swap(struct backend *b)
+void cuda_swap(struct backend *b)
 {
     particles_swap(&b->particles);
 }
 
-static const struct particles *cuda_state(struct backend *b, unsigned fields, struct error *e)
+const struct particles *cuda_state(struct backend *b, unsigned fields, struct error *e)
 {
     const struct particles *p = &b->particles;
     e->status = STATUS_OK;
@@ -252,39 +252,27 @@ static const struct particles *cuda_state(struct backend *b, unsigned fields, st
     return &b->seen;
 }
 
-static const struct particles *cuda_walls(struct backend *b)
+const struct particles *cuda_walls(struct backend *b)
 {
     return &b->seen_wall;
 }
 
-static const struct backend_counts *cuda_counts(struct backend *b)
+const struct backend_counts *cuda_counts(struct backend *b)
 {
     return &b->counts;
 }
 
-static const char *cuda_describe(struct backend *b)
+const char *cuda_describe(struct backend *b)
 {
     return b->text;
 }
 
-static double cuda_peak(struct backend *b)
+double cuda_bandwidth(struct backend *b)
+{
+    return b->row->bandwidth(b->device);
+}
+
+double cuda_peak(struct backend *b)
 {
     return b->row->peak(b->device);
 }
-
-static enum status open_host(struct backend **out, const struct backend_setup *setup,
-                             struct particles *particles, struct particles *walls, struct error *e)
-{
-    return cuda_open_on(&device_host, kernels_host, out, setup, particles, walls, e);
-}
-
-#define CUDA_ROW(title, text, opener)                                                              \
-    {                                                                                              \
-        .variant = {.name = title, .doc = text}, .open = opener, .run = cuda_run,                  \
-        .begin = cuda_swap, .reject = cuda_swap, .settle = cuda_settle, .state = cuda_state,       \
-        .walls = cuda_walls, .counts = cuda_counts, .describe = cuda_describe, .peak = cuda_peak,  \
-        .close = cuda_close,                                                                       \
-    }
-
-const struct backend_row backend_cuda_host =
-    CUDA_ROW("cuda-host", "the passes of cuda on the host, for tests", open_host);

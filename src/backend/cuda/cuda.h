@@ -113,4 +113,20 @@ enum status cuda_open_on(const struct device_row *row, const struct kernel *kern
                          const struct backend_setup *setup, struct particles *particles,
                          struct particles *walls, struct error *e);
 
+/* What rows of back ends hold (struct backend_row). */
+enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, struct error *e);
+void cuda_swap(struct backend *b);
+const struct particles *cuda_state(struct backend *b, unsigned fields, struct error *e);
+const struct particles *cuda_walls(struct backend *b);
+const struct backend_counts *cuda_counts(struct backend *b);
+const char *cuda_describe(struct backend *b);
+double cuda_peak(struct backend *b);
+double cuda_bandwidth(struct backend *b);
+void cuda_close(struct backend *b);
+
+#define CUDA_FUNCTIONS                                                                             \
+    .run = cuda_run, .begin = cuda_swap, .reject = cuda_swap, .settle = cuda_settle,               \
+    .state = cuda_state, .walls = cuda_walls, .counts = cuda_counts, .describe = cuda_describe,    \
+    .peak = cuda_peak, .bandwidth = cuda_bandwidth, .close = cuda_close
+
 #endif

@@ -1,0 +1,232 @@
+/* The kernels on a GPU: a thread is a particle, and sums over particles do not depend on their order. */
+#include <cooperative_groups.h>
+#include <cooperative_groups/reduce.h>
+
+#include "device/subset.h"
+extern "C" {
+#include "backend/cuda/lanes_cuda.h"
+#include "backend/cuda/share.h"
+#include "backend/work.h"
+
+static inline void residual_count(const struct work *w, size_t i, int64_t error, int64_t signed_error)
+{
+    (void)i;
+    share_add64((uint64_t *)&w->scalars->sums.fixed[0], (uint64_t)error);
+    share_add64((uint64_t *)&w->scalars->sums.fixed[1], (uint64_t)signed_error);
+}
+
+#include "backend/bodies/each.h"
+#include "backend/bodies/pair_bodies.h"
+#include "backend/cuda/order.h"
+}
+#undef inline
+
+extern "C" {
+#include "backend/cuda/kernels.h"
+}
+
+enum { THREADS = 256, PAIR_THREADS = 128, GRID_MAX = 2048, WARP = 32 };
+
+/* Blocks for one thread each, or, where blocks go on to further particles, at most GRID_MAX. */
+static unsigned blocks_for(size_t threads, unsigned per_block)
+{
+    return (unsigned)((threads + per_block - 1) / per_block);
+}
+static unsigned few_blocks(size_t threads)
+{
+    unsigned blocks = blocks_for(threads, THREADS);
+    return blocks < GRID_MAX ? blocks : GRID_MAX;
+}
+
+/* Every thread of a block runs as often: `inside` says whether there is a particle. */
+#define OVER_PARTICLES(n)                                                                          \
+    for (size_t base = (size_t)blockIdx.x * THREADS; base < (n); base += (size_t)gridDim.x * THREADS)
+
+static __device__ void extremes_share(struct extremes *all, struct extremes own)
+{
+    for (int step = WARP / 2; step > 0; step /= 2) {
+        own.speed2 = fmaxf(own.speed2, __shfl_xor_sync(~0u, own.speed2, step));
+        own.acceleration2 = fmaxf(own.acceleration2, __shfl_xor_sync(~0u, own.acceleration2, step));
+        own.move2 = fmaxf(own.move2, __shfl_xor_sync(~0u, own.move2, step));
+        own.bad = min(own.bad, __shfl_xor_sync(~0u, own.bad, step));
+    }
+    if (threadIdx.x % WARP != 0)
+        return;
+    /* none is negative: their bits are in the same order */
+    atomicMax((int *)&all->speed2, __float_as_int(own.speed2));
+    atomicMax((int *)&all->acceleration2, __float_as_int(own.acceleration2));
+    atomicMax((int *)&all->move2, __float_as_int(own.move2));
+    atomicMin(&all->bad, own.bad);
+}
+
+/* Exact sums of a block's threads, in shared memory. */
+template <int TERMS> struct block_sums {
+    unsigned long long part[TERMS][EXACT_PARTS];
+};
+
+template <int TERMS> static __device__ void sums_clear(block_sums<TERMS> *s)
+{
+    for (unsigned k = threadIdx.x; k < TERMS * EXACT_PARTS; k += THREADS)
+        s->part[k / EXACT_PARTS][k % EXACT_PARTS] = 0;
+    __syncthreads();
+}
+
+template <int TERMS>
+static __device__ void sums_add(block_sums<TERMS> *s, const double term[], struct exact_sum *all)
+{
+    for (int t = 0; t < TERMS; t++) {
+        int64_t part[3];
+        int k = exact_split(term[t], part);
+        if (k == -2)
+            all[t].bad = true;
+        for (int n = 0; n < 3 && k >= 0; n++)
+            if (part[n] != 0)
+                atomicAdd(&s->part[t][k + n], (unsigned long long)part[n]);
+    }
+}
+
+template <int TERMS> static __device__ void sums_share(const block_sums<TERMS> *s, struct exact_sum *all)
+{
+    __syncthreads();
+    for (unsigned k = threadIdx.x; k < TERMS * EXACT_PARTS; k += THREADS) {
+        unsigned long long part = s->part[k / EXACT_PARTS][k % EXACT_PARTS];
+        if (part != 0)
+            atomicAdd((unsigned long long *)&all[k / EXACT_PARTS].part[k % EXACT_PARTS], part);
+    }
+}
+
+/* The sum of a term over each 16 threads, one after the other. */
+static __device__ double sum_in_order(double term)
+{
+    const int first = (int)(threadIdx.x % WARP) / PARTICLE_BLOCK * PARTICLE_BLOCK;
+    double sum = 0;
+    for (int l = 0; l < PARTICLE_BLOCK; l++)
+        sum += __shfl_sync(~0u, term, first + l);
+    return sum;
+}
+
+#define LAUNCH(name, blocks, per_block, type)                                                      \
+    static void run_##name(size_t threads, const void *args, void *stream)                         \
+    {                                                                                              \
+        kernel_##name<<<blocks, per_block, 0, (cudaStream_t)stream>>>(*(const type *)args);        \
+    }
+#define KERNEL(name, per_block)                                                                    \
+    __global__ void __launch_bounds__(per_block)                                                   \
+        kernel_##name(const __grid_constant__ struct work work)
+#define UNLESS_ENDED(w)                                                                            \
+    const struct work *w = &work;                                                                  \
+    if (work_ended(w))                                                                             \
+        return
+
+#define EACH(name, terms)                                                                          \
+    KERNEL(name, THREADS)                                                                          \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        size_t i = (size_t)blockIdx.x * THREADS + threadIdx.x;                                     \
+        if (i < w->count)                                                                          \
+            each_##name(w, i);                                                                     \
+    }                                                                                              \
+    LAUNCH(name, blocks_for(threads, THREADS), THREADS, struct work)
+#define SCALAR(name, terms)                                                                        \
+    KERNEL(name, 1)                                                                                \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        scalar_##name(w);                                                                          \
+    }                                                                                              \
+    LAUNCH(name, (unsigned)threads, 1, struct work)
+#define EXTREMES(name, terms)                                                                      \
+    KERNEL(name, THREADS)                                                                          \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        struct extremes own = {0, 0, 0, UINT32_MAX};                                               \
+        OVER_PARTICLES(w->count)                                                                   \
+        if (base + threadIdx.x < w->count)                                                         \
+            each_##name(w, base + threadIdx.x, &own);                                              \
+        extremes_share(&w->scalars->extremes, own);                                                \
+    }                                                                                              \
+    LAUNCH(name, few_blocks(threads), THREADS, struct work)
+#define FIXED(name, terms)                                                                         \
+    KERNEL(name, THREADS)                                                                          \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        int64_t sum = 0;                                                                           \
+        OVER_PARTICLES(w->count)                                                                   \
+        if (base + threadIdx.x < w->count)                                                         \
+            sum += each_##name(w, base + threadIdx.x);                                             \
+        share_add64((uint64_t *)&w->scalars->sums.fixed[0], (uint64_t)sum);                        \
+    }                                                                                              \
+    LAUNCH(name, few_blocks(threads), THREADS, struct work)
+#define SUMS(name, terms)                                                                          \
+    KERNEL(name, THREADS)                                                                          \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        __shared__ block_sums<terms> sums;                                                         \
+        sums_clear(&sums);                                                                         \
+        OVER_PARTICLES(w->count)                                                                   \
+        if (base + threadIdx.x < w->count) {                                                       \
+            double term[SCALAR_SUMS];                                                              \
+            each_##name(w, base + threadIdx.x, term);                                              \
+            sums_add(&sums, term, w->scalars->sums.exact);                                         \
+        }                                                                                          \
+        sums_share(&sums, w->scalars->sums.exact);                                                 \
+    }                                                                                              \
+    LAUNCH(name, few_blocks(threads), THREADS, struct work)
+#define BLOCKS(name, terms)                                                                        \
+    KERNEL(name, THREADS)                                                                          \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        __shared__ block_sums<terms> sums;                                                         \
+        sums_clear(&sums);                                                                         \
+        OVER_PARTICLES(w->count)                                                                   \
+        {                                                                                          \
+            double term[SCALAR_SUMS] = {0};                                                        \
+            if (base + threadIdx.x < w->count)                                                     \
+                each_##name(w, base + threadIdx.x, term);                                          \
+            for (int t = 0; t < terms; t++)                                                        \
+                term[t] = sum_in_order(term[t]);                                                   \
+            if (threadIdx.x % PARTICLE_BLOCK == 0)                                                 \
+                sums_add(&sums, term, w->scalars->sums.exact);                                     \
+        }                                                                                          \
+        sums_share(&sums, w->scalars->sums.exact);                                                 \
+    }                                                                                              \
+    LAUNCH(name, few_blocks(threads), THREADS, struct work)
+#define STAGE(kind, name, terms) kind(name, terms)
+#include "backend/bodies/stage_list.h"
+#undef STAGE
+
+#define PAIR(name, call)                                                                           \
+    KERNEL(pair_##name, PAIR_THREADS)                                                              \
+    {                                                                                              \
+        UNLESS_ENDED(w);                                                                           \
+        size_t i = (size_t)blockIdx.x * PAIR_THREADS + threadIdx.x;                                \
+        if (i < w->count)                                                                          \
+            call;                                                                                  \
+    }                                                                                              \
+    LAUNCH(pair_##name, blocks_for(threads, PAIR_THREADS), PAIR_THREADS, struct work)
+#include "backend/bodies/pair_list.h"
+#define FORCE(flags)                                                                               \
+    PAIR(force_##flags, force_sum(w, i, flags, false))                                             \
+    PAIR(force_walls_##flags, force_sum(w, i, flags, true))
+#include "backend/bodies/force_list.h"
+#undef FORCE
+#undef PAIR
+
+#define ORDER(name)                                                                                \
+    __global__ void __launch_bounds__(THREADS)                                                     \
+        kernel_order_##name(const __grid_constant__ struct order_work work, size_t threads)        \
+    {                                                                                              \
+        size_t i = (size_t)blockIdx.x * THREADS + threadIdx.x;                                     \
+        if (i < threads)                                                                           \
+            order_##name(&work, i);                                                                \
+    }                                                                                              \
+    static void run_order_##name(size_t threads, const void *args, void *stream)                   \
+    {                                                                                              \
+        kernel_order_##name<<<blocks_for(threads, THREADS), THREADS, 0, (cudaStream_t)stream>>>(   \
+            *(const struct order_work *)args, threads);                                            \
+    }
+#include "backend/cuda/order_list.h"
+#undef ORDER
+
+extern "C" const struct kernel kernels_cuda[KERNEL_COUNT] = {
+#include "backend/cuda/kernel_rows.h"
+};

@@ -1,0 +1,31 @@
+/* The row of the cuda back end; without CUDA only how to get it. */
+#include "backend/cuda/cuda.h"
+
+#define NAME "cuda"
+#define DOC "a GPU of NVIDIA: --backend cuda, or cuda:N for device N"
+
+#if HAVE_CUDA
+static enum status open_cuda(struct backend **out, const struct backend_setup *setup,
+                             struct particles *particles, struct particles *walls, struct error *e)
+{
+    return cuda_open_on(&device_cuda, kernels_cuda, out, setup, particles, walls, e);
+}
+
+static bool available(const char **why)
+{
+    return device_cuda.count(why) > 0;
+}
+
+const struct backend_row backend_cuda = {
+    .variant = {.name = NAME, .doc = DOC},
+    .has_devices = true,
+    .available = available,
+    .open = open_cuda,
+    CUDA_FUNCTIONS,
+};
+#else
+const struct backend_row backend_cuda = {
+    .variant = {.name = NAME, .doc = DOC,
+                .missing = "build with make CUDA=1 (the CUDA toolkit, for nvcc)"},
+};
+#endif

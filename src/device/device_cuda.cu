@@ -1,0 +1,374 @@
+/* CUDA devices, by the runtime API, which finds the driver when it is first used. */
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+#include <cuda_runtime.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+extern "C" {
+#include "device/device.h"
+}
+
+struct device {
+    cudaStream_t stream;
+    void *scratch;       /* of sorting and scanning */
+    size_t scratch_bytes;
+    const char *last;    /* kernel that was launched last */
+    cudaError_t failure; /* the first that was not reported yet */
+    const char *failed;  /* what failed */
+};
+
+struct device_graph {
+    cudaGraphExec_t exec;
+};
+
+/* Keeps the first failure for the next call that can report it. */
+static bool keep(struct device *d, cudaError_t result, const char *what)
+{
+    if (result != cudaSuccess && d->failure == cudaSuccess) {
+        d->failure = result;
+        d->failed = what;
+    }
+    return result == cudaSuccess;
+}
+
+static enum status report(struct device *d, struct error *e)
+{
+    if (d->failure == cudaSuccess)
+        return STATUS_OK;
+    return error_set(e, STATUS_RUN, "the GPU failed in or before %s: %s (%s); frames up to now are "
+                     "kept; use --backend cpu, or set CUDA_LAUNCH_BLOCKING=1 to find the pass",
+                     d->failed ? d->failed : "a copy", cudaGetErrorString(d->failure),
+                     cudaGetErrorName(d->failure));
+}
+
+static int cuda_count(const char **why)
+{
+    int count = 0;
+    cudaError_t result = cudaGetDeviceCount(&count);
+    *why = result == cudaSuccess ? "" : cudaGetErrorString(result);
+    cudaGetLastError();
+    return result == cudaSuccess ? count : 0;
+}
+
+static enum status cuda_info(int index, struct device_info *info, struct error *e)
+{
+    struct cudaDeviceProp p;
+    const char *why;
+    int count = cuda_count(&why);
+    memset(info, 0, sizeof *info);
+    if (count == 0)
+        return error_set(e, STATUS_BACKEND, "--backend cuda: there is no GPU that CUDA can use%s%s; use "
+                         "--backend cpu", *why ? ": " : "", why);
+    if (index < 0 || index >= count)
+        return error_set(e, STATUS_BACKEND, "--backend cuda:%d: %s; see sph-render list devices", index,
+                         count == 1 ? "there is one device, number 0" : "there are not so many devices");
+    cudaError_t result = cudaSetDevice(index);
+    if (result == cudaSuccess)
+        result = cudaGetDeviceProperties(&p, index);
+    if (result == cudaSuccess)
+        result = cudaMemGetInfo(&info->free, &info->memory);
+    if (result != cudaSuccess)
+        return error_set(e, STATUS_RUN, "--backend cuda:%d: %s", index, cudaGetErrorString(result));
+    snprintf(info->name, sizeof info->name, "%s", p.name);
+    info->compute = 10 * p.major + p.minor;
+    cudaDriverGetVersion(&info->driver);
+    cudaRuntimeGetVersion(&info->runtime);
+    return STATUS_OK;
+}
+
+static void cuda_close(struct device *d)
+{
+    if (!d)
+        return;
+    cudaFree(d->scratch);
+    if (d->stream)
+        cudaStreamDestroy(d->stream);
+    free(d);
+}
+
+static enum status cuda_open(struct device **out, int index, struct error *e)
+{
+    struct device *d = (struct device *)calloc(1, sizeof *d);
+    *out = NULL;
+    if (!d)
+        return error_set(e, STATUS_RUN, "out of memory");
+    cudaError_t result = cudaSetDevice(index);
+    if (result == cudaSuccess)
+        result = cudaStreamCreateWithFlags(&d->stream, cudaStreamNonBlocking);
+    if (result != cudaSuccess) {
+        cuda_close(d);
+        return error_set(e, STATUS_RUN, "--backend cuda:%d: %s", index, cudaGetErrorString(result));
+    }
+    *out = d;
+    return STATUS_OK;
+}
+
+static void *cuda_create(struct device *d, const char *label, size_t bytes, struct error *e)
+{
+    void *block = NULL;
+    size_t available = 0, all = 0;
+    bytes = bytes ? bytes : 1;
+    cudaError_t result = cudaMalloc(&block, bytes);
+    if (result == cudaSuccess) {
+        keep(d, cudaMemsetAsync(block, 0, bytes, d->stream), label);
+        return block;
+    }
+    cudaGetLastError();
+    cudaMemGetInfo(&available, &all);
+    error_set(e, STATUS_RUN, "%s take %.4g GB of the GPU's memory, of which %.4g GB are free (%s): use a "
+              "larger particles.spacing or --backend cpu", label, 1e-9 * (double)bytes,
+              1e-9 * (double)available, cudaGetErrorString(result));
+    return NULL;
+}
+
+static void cuda_destroy(struct device *d, void *block)
+{
+    (void)d;
+    cudaFree(block);
+}
+
+static void *cuda_pin(struct device *d, size_t bytes, struct error *e)
+{
+    void *block = NULL;
+    (void)d;
+    cudaError_t result = cudaMallocHost(&block, bytes ? bytes : 1);
+    if (result == cudaSuccess) {
+        memset(block, 0, bytes);
+        return block;
+    }
+    cudaGetLastError();
+    error_set(e, STATUS_RUN, "%.4g GB of memory that the GPU can copy to cannot be had: %s",
+              1e-9 * (double)bytes, cudaGetErrorString(result));
+    return NULL;
+}
+
+static void cuda_unpin(struct device *d, void *block)
+{
+    (void)d;
+    cudaFreeHost(block);
+}
+
+static void cuda_upload(struct device *d, void *to, const void *host, size_t bytes)
+{
+    if (bytes > 0)
+        keep(d, cudaMemcpyAsync(to, host, bytes, cudaMemcpyHostToDevice, d->stream), d->last);
+}
+
+static void cuda_copy(struct device *d, void *to, const void *from, size_t bytes)
+{
+    if (bytes > 0)
+        keep(d, cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, d->stream), d->last);
+}
+
+static void cuda_clear(struct device *d, void *to, size_t bytes)
+{
+    if (bytes > 0)
+        keep(d, cudaMemsetAsync(to, 0, bytes, d->stream), d->last);
+}
+
+static enum status cuda_wait(struct device *d, struct error *e)
+{
+    keep(d, cudaStreamSynchronize(d->stream), d->last);
+    return report(d, e);
+}
+
+static enum status cuda_read(struct device *d, void *host, const void *from, size_t bytes,
+                             struct error *e)
+{
+    if (bytes > 0)
+        keep(d, cudaMemcpyAsync(host, from, bytes, cudaMemcpyDeviceToHost, d->stream), d->last);
+    return cuda_wait(d, e);
+}
+
+static void cuda_launch(struct device *d, const struct kernel *kernel, size_t threads,
+                        const void *args)
+{
+    if (threads == 0)
+        return;
+    d->last = kernel->name;
+    kernel->run(threads, args, d->stream);
+    keep(d, cudaGetLastError(), kernel->name);
+}
+
+/* Scratch memory of at least so many bytes. */
+static bool reserve(struct device *d, size_t bytes, struct error *e)
+{
+    if (bytes <= d->scratch_bytes)
+        return true;
+    cudaFree(d->scratch);
+    d->scratch_bytes = 0;
+    d->scratch = cuda_create(d, "sorting and scanning", bytes + bytes / 4, e);
+    if (d->scratch)
+        d->scratch_bytes = bytes + bytes / 4;
+    return d->scratch != NULL;
+}
+
+static cudaError_t sort_pairs(void *scratch, size_t *bytes, const struct device_sort *s,
+                              cudaStream_t stream)
+{
+    return cub::DeviceRadixSort::SortPairs(scratch, *bytes, s->keys, s->sorted_keys, s->values,
+                                           s->sorted_values, s->count, 0, s->bits, stream);
+}
+
+static enum status cuda_sort(struct device *d, const struct device_sort *s, struct error *e)
+{
+    size_t bytes = 0;
+    keep(d, sort_pairs(NULL, &bytes, s, d->stream), "sort");
+    if (!reserve(d, bytes, e))
+        return e->status;
+    d->last = "sort";
+    keep(d, sort_pairs(d->scratch, &bytes, s, d->stream), "sort");
+    return report(d, e);
+}
+
+/* In place: the sum of `count` values arrives behind them. */
+static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, struct error *e)
+{
+    size_t bytes = 0, all = count + 1;
+    keep(d, cub::DeviceScan::ExclusiveSum(NULL, bytes, values, values, all, d->stream), "scan");
+    if (!reserve(d, bytes, e))
+        return e->status;
+    d->last = "scan";
+    keep(d, cub::DeviceScan::ExclusiveSum(d->scratch, bytes, values, values, all, d->stream), "scan");
+    return report(d, e);
+}
+
+static void cuda_record(struct device *d)
+{
+    keep(d, cudaStreamBeginCapture(d->stream, cudaStreamCaptureModeThreadLocal), "a recording");
+}
+
+static struct device_graph *cuda_recorded(struct device *d)
+{
+    struct device_graph *g = (struct device_graph *)calloc(1, sizeof *g);
+    cudaGraph_t graph = NULL;
+    bool ok = keep(d, cudaStreamEndCapture(d->stream, &graph), "a recording") && g &&
+              cudaGraphInstantiate(&g->exec, graph, 0) == cudaSuccess;
+    if (graph)
+        cudaGraphDestroy(graph);
+    if (ok)
+        return g;
+    cudaGetLastError();
+    free(g);
+    return NULL;
+}
+
+static void cuda_replay(struct device *d, struct device_graph *graph)
+{
+    keep(d, cudaGraphLaunch(graph->exec, d->stream), "a graph");
+    d->last = "a graph of passes";
+}
+
+static void cuda_forget(struct device *d, struct device_graph *graph)
+{
+    cudaStreamSynchronize(d->stream);
+    cudaGraphExecDestroy(graph->exec);
+    free(graph);
+}
+
+enum { PEAK_ROUNDS = 4096, PEAK_CHAINS = 8, PEAK_THREADS = 256 };
+
+__global__ void multiply_adds(float *out, float a, float b)
+{
+    float c[PEAK_CHAINS];
+    for (int k = 0; k < PEAK_CHAINS; k++)
+        c[k] = (float)(threadIdx.x + k);
+    for (int r = 0; r < PEAK_ROUNDS; r++)
+        for (int k = 0; k < PEAK_CHAINS; k++)
+            c[k] = fmaf(c[k], a, b);
+    float sum = 0;
+    for (int k = 0; k < PEAK_CHAINS; k++)
+        sum += c[k];
+    if (sum == 12345.0f)
+        *out = sum;
+}
+
+/* The shortest of some runs, s; `run` queues one. */
+static double shortest(struct device *d, void (*run)(struct device *d, void *context), void *context)
+{
+    float ms = 0, best = 0;
+    cudaEvent_t first, last;
+    cudaEventCreate(&first);
+    cudaEventCreate(&last);
+    for (int trial = 0; trial < 6; trial++) { /* the first warms up */
+        cudaEventRecord(first, d->stream);
+        run(d, context);
+        cudaEventRecord(last, d->stream);
+        cudaEventSynchronize(last);
+        cudaEventElapsedTime(&ms, first, last);
+        best = trial < 2 || ms < best ? ms : best;
+    }
+    cudaEventDestroy(first);
+    cudaEventDestroy(last);
+    return cudaGetLastError() == cudaSuccess && best > 0 ? 1e-3 * (double)best : 0;
+}
+
+static int peak_blocks(void)
+{
+    int index = 0, processors = 1;
+    cudaGetDevice(&index);
+    cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, index);
+    return 32 * processors;
+}
+
+static void run_multiply_adds(struct device *d, void *out)
+{
+    multiply_adds<<<peak_blocks(), PEAK_THREADS, 0, d->stream>>>((float *)out, 0.999f, 1e-3f);
+}
+
+static double cuda_peak(struct device *d)
+{
+    const double flops = 2.0 * (double)PEAK_ROUNDS * (double)PEAK_CHAINS * (double)PEAK_THREADS;
+    void *out = NULL;
+    if (cudaMalloc(&out, sizeof(float)) != cudaSuccess)
+        return 0;
+    double seconds = shortest(d, run_multiply_adds, out);
+    cudaFree(out);
+    return seconds > 0 ? flops * peak_blocks() / seconds : 0;
+}
+
+static const size_t COPY_BYTES = (size_t)256 << 20;
+
+static void run_copy(struct device *d, void *block)
+{
+    cudaMemcpyAsync((char *)block + COPY_BYTES, block, COPY_BYTES, cudaMemcpyDeviceToDevice, d->stream);
+}
+
+static double cuda_bandwidth(struct device *d)
+{
+    void *block = NULL;
+    if (cudaMalloc(&block, 2 * COPY_BYTES) != cudaSuccess) {
+        cudaGetLastError();
+        return 0;
+    }
+    double seconds = shortest(d, run_copy, block);
+    cudaFree(block);
+    return seconds > 0 ? 2.0 * (double)COPY_BYTES / seconds : 0;
+}
+
+extern "C" const struct device_row device_cuda = {
+    .count = cuda_count,
+    .info = cuda_info,
+    .open = cuda_open,
+    .close = cuda_close,
+    .create = cuda_create,
+    .destroy = cuda_destroy,
+    .pin = cuda_pin,
+    .unpin = cuda_unpin,
+    .upload = cuda_upload,
+    .copy = cuda_copy,
+    .clear = cuda_clear,
+    .read = cuda_read,
+    .launch = cuda_launch,
+    .sort = cuda_sort,
+    .scan = cuda_scan,
+    .wait = cuda_wait,
+    .record = cuda_record,
+    .recorded = cuda_recorded,
+    .replay = cuda_replay,
+    .forget = cuda_forget,
+    .peak = cuda_peak,
+    .bandwidth = cuda_bandwidth,
+};
