@@ -43,7 +43,7 @@ only device base
 only scene base
 only compare base
 only encode base compare
-only render base scene particles
+only render base device scene particles
 only particles base scene
 only grid base particles
 only solver base scene particles

@@ -5,9 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The colours of count spheres, those of particles from i on. */
-static void balls_color(const struct ball_view *v, const struct occlusion *occlusion,
-                        const struct render_frame *frame, size_t i, size_t count, struct ball *balls)
+void balls_color(const struct ball_view *v, const struct occlusion *occlusion, const struct render_frame *frame,
+                 size_t i, size_t count, struct ball *balls)
 {
     const float strength = (float)v->setup->scene->render.occlusion;
     const struct color_scale *scale = frame->scale ? frame->scale : &v->setup->scale;

@@ -35,6 +35,10 @@ struct ball_view {
 enum status balls_make(struct balls *balls, const struct ball_view *view,
                        const struct render_frame *frame, struct error *e);
 
+/* The colours of at most CHUNK spheres, those of particles from i on. */
+void balls_color(const struct ball_view *view, const struct occlusion *occlusion,
+                 const struct render_frame *frame, size_t i, size_t count, struct ball *balls);
+
 /* The spheres that may cover a tile. */
 struct ball_list balls_of_tile(struct balls *balls, int tile);
 

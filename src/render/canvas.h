@@ -22,5 +22,6 @@ struct canvas_row {
 };
 
 extern const struct canvas_row canvas_egl, canvas_cpu, canvas_osmesa;
+extern const struct canvas_row canvas_cuda; /* only with CUDA=1 */
 
 #endif

@@ -3,18 +3,9 @@
 #define RENDER_PROJECT_H
 
 #include "render/maps.h"
+#include "render/place.h"
 #include "render/scale.h"
 #include "render/splat.h"
-
-/* Where spheres are seen from, and on what. */
-struct viewpoint {
-    double eye[3];              /* m */
-    double axis[3][3];          /* right, up, forward */
-    float half[2];              /* samples from the picture's middle to tangent 1, rightwards and downwards */
-    int size[2];                /* samples of the picture */
-    float radius;               /* of the spheres, m */
-    float lens;                 /* 1: rays start at the eye; 0: they are parallel */
-};
 
 /* Loops of render/project_loops.h, of each instruction set, for at most CHUNK particles: */
 struct project_loops {

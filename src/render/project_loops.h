@@ -5,56 +5,33 @@
 static inline void chunk_view(const struct viewpoint *v, const float *position, float *restrict x,
                               float *restrict y, float *restrict z)
 {
-    const double *r = v->axis[0], *u = v->axis[1], *f = v->axis[2];
-    const double ex = v->eye[0], ey = v->eye[1], ez = v->eye[2];
+    const struct viewpoint view = *v;
 #pragma omp simd
     for (int l = 0; l < CHUNK; l++) {
-        double px = position[3 * l] - ex, py = position[3 * l + 1] - ey, pz = position[3 * l + 2] - ez;
-        x[l] = (float)(px * r[0] + py * r[1] + pz * r[2]);
-        y[l] = (float)(px * u[0] + py * u[1] + pz * u[2]);
-        z[l] = (float)(px * f[0] + py * f[1] + pz * f[2]);
+        float px = position[3 * l], py = position[3 * l + 1], pz = position[3 * l + 2];
+        x[l] = place_along(&view, 0, px, py, pz);
+        y[l] = place_along(&view, 1, px, py, pz);
+        z[l] = place_along(&view, 2, px, py, pz);
     }
 }
 
-/* The samples first..end - 1 whose rays, through their middles, may meet the spheres along one axis: what
- * is within the tangents from the eye, and a little more for rounding. */
 static inline void chunk_extent(const struct viewpoint *v, int axis, const float *restrict center,
                                 const float *restrict z, float *restrict first, float *restrict end)
 {
-    const float radius = v->radius, half = v->half[axis], most = (float)v->size[axis];
-    const float lens = v->lens, least = lens > 0 ? radius * 1.01F : -INFINITY;
+    const struct viewpoint view = *v;
 #pragma omp simd
-    for (int l = 0; l < CHUNK; l++) {
-        float under = z[l] * z[l] - radius * radius;
-        float reach = radius * sqrtf(lens * (center[l] * center[l] + under) + (1 - lens));
-        float scale = half / (lens * under + (1 - lens)), middle = center[l] * (lens * z[l] + (1 - lens));
-        float low = (middle - reach) * scale, high = (middle + reach) * scale;
-        float more = 0.55F + 1e-3F * fabsf(high - low);
-        float a = (low < high ? low : high) + 0.5F * most - more + 1;
-        float b = (low < high ? high : low) + 0.5F * most + more;
-        bool known = z[l] > least;
-        a = known ? a : 0;
-        b = known ? b : most;
-        a = a < most ? a : most;
-        b = b < most ? b : most;
-        first[l] = a > 0 ? a : 0;
-        end[l] = b > 0 ? b : 0;
-    }
+    for (int l = 0; l < CHUNK; l++)
+        place_extent(&view, axis, center[l], z[l], &first[l], &end[l]);
 }
 
-/* 1 where a sphere is in front of the eye, and covers samples. */
 static inline void chunk_seen(const struct viewpoint *v, const float *restrict x, const float *restrict y,
                               const float *restrict z, const float (*restrict box)[CHUNK],
                               float *restrict seen)
 {
-    const float r2 = v->lens > 0 ? v->radius * v->radius : -1;
+    const struct viewpoint view = *v;
 #pragma omp simd
-    for (int l = 0; l < CHUNK; l++) {
-        float distance2 = x[l] * x[l] + y[l] * y[l] + z[l] * z[l];
-        bool ahead = (z[l] > 0) & (distance2 > r2) & (distance2 < 1e30F);
-        bool any = ((int)box[0][l] < (int)box[1][l]) & ((int)box[2][l] < (int)box[3][l]);
-        seen[l] = (ahead & any) ? 1 : 0;
-    }
+    for (int l = 0; l < CHUNK; l++)
+        seen[l] = place_seen(&view, x[l], y[l], z[l], box[0][l], box[1][l], box[2][l], box[3][l]);
 }
 
 static void chunk_place(const struct viewpoint *v, const float *position, size_t count, struct ball *balls)

@@ -1,4 +1,4 @@
-/* Draws particles as lit spheres, off-screen, by OpenGL or by the processors. */
+/* Draws particles as lit spheres, off-screen, by OpenGL, by CUDA, or by the processors. */
 #ifndef RENDER_RENDER_H
 #define RENDER_RENDER_H
 
@@ -11,7 +11,7 @@
 
 #include <stddef.h>
 
-extern const struct variant_table render_table;    /* "renderers": egl, cpu, osmesa */
+extern const struct variant_table render_table;    /* "renderers": egl, cuda, cpu, osmesa */
 extern const struct variant_table render_maps;     /* "maps": viridis, ... */
 extern const struct variant_table render_overlays; /* "overlays": text; missing without cairo */
 

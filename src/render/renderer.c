@@ -36,7 +36,7 @@ static enum status any_open(struct renderer *r, struct error *e)
             }
             row->close(r->canvas);
             r->canvas = NULL;
-            why = "there is no GPU, and cpu draws faster than OpenGL by software";
+            why = "there is no GPU for OpenGL, and cpu draws faster than OpenGL by software";
         }
         snprintf(tried + used, sizeof tried - used, "\n  %s: %.800s", row->variant.name,
                  why ? why : e->text);

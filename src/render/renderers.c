@@ -3,13 +3,16 @@
 
 static const struct variant *const rows[] = {
     &canvas_egl.variant,
+#if HAVE_CUDA
+    &canvas_cuda.variant,
+#endif
     &canvas_cpu.variant,
     &canvas_osmesa.variant,
 };
 
 const struct variant_table render_table = {
     .name = "renderers",
-    .doc = "what draws frames without a screen (--renderer); auto: egl on a GPU, else cpu",
+    .doc = "what draws frames without a screen (--renderer); auto: the first on a GPU, else cpu",
     .rows = rows,
     .count = sizeof rows / sizeof rows[0],
 };

@@ -1,5 +1,6 @@
 /* The loops of the cpu renderer: plain C that compilers turn into vectors of CHUNK lanes or less. Each
  * sample's arithmetic is the same in all of them. */
+#include "render/sample.h"
 #include "render/splat.h"
 
 #include <math.h>
@@ -55,15 +56,10 @@ static inline void chunk_splat(const struct splat *s, const struct ball *ball, u
                                const float *restrict ray_x, float y, float *restrict depth,
                                uint32_t *restrict nearest)
 {
-    const float scale = s->lens * ball->z + (1 - s->lens), r2 = s->radius * s->radius;
-    const float oy = scale * y - ball->y, dy = s->lens * y, lens = s->lens;
-    const float bx = ball->x, bz = ball->z, rest = oy * oy - r2, across = oy * dy, side = dy * dy + 1;
+    const struct meeting meeting = meeting_make(s, ball, y);
 #pragma omp simd
     for (int l = 0; l < lanes; l++) {
-        float ox = scale * ray_x[l] - bx, dx = lens * ray_x[l];
-        float along = ox * dx + across, square = dx * dx + side;
-        float root = along * along - square * (ox * ox + rest);
-        float z = bz - (along + sqrtf(root > 0 ? root : 0)) / square;
+        float root, z = meeting_depth(&meeting, ray_x[l], &root);
         bool first = (z < depth[l]) | ((z == depth[l]) & (number < nearest[l]));
         bool hit = (root >= 0) & (z > 0) & first;
         depth[l] = hit ? z : depth[l];
@@ -128,25 +124,13 @@ static inline void chunk_light(const struct splat *s, const struct shown *restri
                                float *restrict light, float *restrict shine)
 {
     const struct look look = s->look;
-    const float lens = s->lens, inverse = 1 / s->radius, rim = look.rim, shininess = look.shine;
+    const float lens = s->lens, inverse = 1 / s->radius;
 #pragma omp simd
     for (int l = 0; l < CHUNK; l++) {
-        float z = depth[l], t = z - shown->z[l];
-        float scale = lens * z + (1 - lens), dx = lens * ray_x[l], dy = lens * y;
-        float nx = (scale * ray_x[l] - shown->x[l]) * inverse;
-        float ny = (scale * y - shown->y[l]) * inverse, nz = -t * inverse; /* towards the viewer */
-        float length = 1 / sqrtf(dx * dx + dy * dy + 1), along = nx * dx + ny * dy - nz;
-        float facing = along < 0 ? -along * length : 0;
-        float key = nx * look.key[0] + ny * look.key[1] + nz * look.key[2];
-        float ahead = (dx * look.key[0] + dy * look.key[1] - look.key[2]) * length;
-        float glance = ahead - 2 * along * length * key;
-        float g2 = glance > 0 ? glance * glance : 0, g4 = g2 * g2, g8 = g4 * g4;
-        float sum = look.base + look.sky * (0.5F + 0.5F * ny);
-        sum = (sum + look.diffuse * (key > 0 ? key : 0)) * (1 - look.facing + look.facing * facing);
-        float inside = facing * facing < rim ? 0 : 1, white = shininess * inside;
-        sum = sum < 1 ? sum : 1;
-        light[l] = (0.25F + 0.75F * inside) * sum;
-        shine[l] = white * (g8 * g8 * g8);
+        const struct light own = light_make(&look, lens, inverse, shown->x[l], shown->y[l], shown->z[l], ray_x[l],
+                                            y, depth[l]);
+        light[l] = own.part;
+        shine[l] = own.shine;
     }
 }
 
@@ -156,12 +140,6 @@ static inline bool chunk_is_empty(const uint32_t *number)
     for (int l = 0; l < CHUNK; l++)
         all &= number[l];
     return all == UINT32_MAX;
-}
-
-/* The background's colour k in a row of samples. */
-static inline float back_of(const struct splat *s, int k, int row)
-{
-    return s->back[k] + s->fade[k] * (float)row;
 }
 
 static inline void chunk_shade(const struct splat *s, struct tile *tile, int x, int y)
@@ -181,8 +159,7 @@ static inline void chunk_shade(const struct splat *s, struct tile *tile, int x, 
         const int shift = 8 * k;
 #pragma omp simd
         for (int l = 0; l < CHUNK; l++) {
-            float c = (float)(int)(shown.rgb[l] >> shift & 255) * (1 / 255.0F) * light[l] + shine[l];
-            c = c < 1 ? c : 1;
+            float c = light_color(shown.rgb[l], shift, light[l], shine[l]);
             color[l] = number[l] == UINT32_MAX ? back : c;
         }
     }
@@ -216,51 +193,16 @@ static inline void span_cut(double e, double d, double px, int *x, int *end)
         *end = zero > -2 ? (int)(zero + 2) : 0;
 }
 
-/* Whether the middle of a sample is in the triangle. */
-static inline bool blend_covers(const struct blend *b, double x, double y)
-{
-    for (int k = 0; k < 3; k++) {
-        double inside = b->edge[k][0] + b->edge[k][2] * y + b->edge[k][1] * x;
-        if (!(inside > 0 || (b->owns[k] && inside == 0)))
-            return false;
-    }
-    return true;
-}
-
-/* Whether no sample of the tile is in the triangle: for each edge the corner farthest inwards is asked,
- * by blend_covers' sum, which rounding leaves monotonic. */
-static bool blend_misses(const struct blend *b, const struct tile *tile)
-{
-    for (int k = 0; k < 3; k++) {
-        double x = tile->left + 0.5 + (b->edge[k][1] > 0 ? tile->width - 1 : 0);
-        double y = tile->top + 0.5 + (b->edge[k][2] > 0 ? tile->height - 1 : 0);
-        if (b->edge[k][0] + b->edge[k][2] * y + b->edge[k][1] * x < 0)
-            return true;
-    }
-    return false;
-}
-
 /* Samples x..end of a row, all of them in the triangle. */
 static inline void span_blend(const struct blend *b, struct tile *tile, int planes, int y, int x,
                               int end)
 {
-    const double py = tile->top + y + 0.5, px = tile->left + 0.5;
-    const float near = (float)(b->inverse[0] + b->inverse[2] * py + b->inverse[1] * px);
-    const float side = (float)(b->across[0] + b->across[2] * py + b->across[1] * px);
-    const float near_x = (float)b->inverse[1], side_x = (float)b->across[1], cover = b->cover;
-    const float half = b->half_width > 0 ? b->half_width + 0.5F : 1;
-    const float parallel = b->parallel ? 1 : 0, sign = b->behind ? -1 : 1, tie = b->behind ? 1 : 0;
+    const struct span span = span_make(b, tile->left, tile->top + y);
     const float *restrict seen = tile->depth[y];
     float part[TILE];
 #pragma omp simd
-    for (int i = x; i < end; i++) {
-        float value = near + near_x * (float)i, depth = parallel > 0 ? value : 1 / value;
-        float apart = sign * (seen[i] - depth);
-        float soft = half - fabsf(side + side_x * (float)i);
-        soft = soft < 0 ? 0 : soft;
-        soft = soft > 1 ? 1 : soft;
-        part[i] = ((apart > 0) | ((tie > 0) & (apart == 0))) ? cover * soft : 0;
-    }
+    for (int i = x; i < end; i++)
+        part[i] = span_part(&span, i, seen[i]);
     for (int k = 0; k < planes; k++) {
         float *restrict color = tile->color[k][y];
         const float ink = b->color[k];
@@ -333,14 +275,8 @@ static inline void row_write(const struct splat *s, float sum[4][TILE], int widt
     uint32_t out[TILE];
     for (int x = 0; s->planes == 3 && x < TILE; x++)
         sum[3][x] = count;
-    for (int x = 0; x < width; x++) {
-        float alpha = sum[3][x] * scale, part = 255 * scale / (alpha > 1e-4F ? alpha : 1);
-        uint32_t red = (uint32_t)(int)(sum[0][x] * part + 0.5F);
-        uint32_t green = (uint32_t)(int)(sum[1][x] * part + 0.5F);
-        uint32_t blue = (uint32_t)(int)(sum[2][x] * part + 0.5F);
-        uint32_t cover = (uint32_t)(int)(255 * alpha + 0.5F);
-        out[x] = red | green << 8 | blue << 16 | cover << 24; /* bytes in memory: little endian */
-    }
+    for (int x = 0; x < width; x++)
+        out[x] = pixel_make(sum[0][x], sum[1][x], sum[2][x], sum[3][x], scale); /* memory: little endian */
     memcpy(rgba, out, 4 * (size_t)width);
 }
 
@@ -401,7 +337,7 @@ static void tile_shade(const struct splat *s, struct tile *tile)
 static void tile_finish(const struct splat *s, struct tile *tile)
 {
     for (size_t i = 0; i < s->blend_count; i++) {
-        if (blend_misses(&s->blends[i], tile))
+        if (blend_misses(&s->blends[i], tile->left, tile->top, tile->width, tile->height))
             continue;
         if (tile->plain)
             tile_color(s, tile);

@@ -14,14 +14,10 @@ static void surface_keep(struct surface *f, const struct tile *tile)
 static inline void chunk_thicken(const struct splat *s, const struct ball *ball,
                                  const float *restrict ray_x, float y, float *restrict sum)
 {
-    const float scale = s->lens * ball->z + (1 - s->lens), r2 = s->radius * s->radius;
-    const float oy = scale * y - ball->y, dy = s->lens * y, lens = s->lens;
-    const float bx = ball->x, rest = oy * oy - r2, across = oy * dy, side = dy * dy + 1;
+    const struct meeting meeting = meeting_make(s, ball, y);
 #pragma omp simd
     for (int l = 0; l < CHUNK; l++) {
-        float ox = scale * ray_x[l] - bx, dx = lens * ray_x[l];
-        float along = ox * dx + across, square = dx * dx + side;
-        float root = along * along - square * (ox * ox + rest);
+        float along, square, root = meeting_root(&meeting, ray_x[l], &along, &square);
         sum[l] += 2 * sqrtf((root > 0 ? root : 0) / square);
     }
 }

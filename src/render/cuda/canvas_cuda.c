@@ -1,0 +1,28 @@
+/* The renderer of machines with a GPU but without OpenGL on it: spheres by CUDA kernels. */
+#include "render/cuda/canvas_device.h"
+
+#if HAVE_CUDA
+#include "render/cuda/draw_kernels.h"
+
+static enum status canvas_open(void **canvas, const struct canvas_row *row,
+                               const struct render_setup *setup, struct error *e)
+{
+    (void)row;
+    return canvas_device_open(canvas, &device_cuda, draw_kernels_cuda, setup, e);
+}
+
+static bool canvas_software(const void *canvas)
+{
+    (void)canvas;
+    return false;
+}
+
+const struct canvas_row canvas_cuda = {
+    .variant = {.name = "cuda", .doc = "spheres by a GPU, without OpenGL; the same bits as cpu"},
+    .open = canvas_open,
+    .draw = canvas_device_draw,
+    .name = canvas_device_name,
+    .software = canvas_software,
+    .close = canvas_device_close,
+};
+#endif

@@ -1,0 +1,7 @@
+/* The kernels of the cuda renderer (draw.h), in the order of a frame: DRAW(name) is expanded for each. */
+DRAW(clear)
+DRAW(place)
+DRAW(splat)
+DRAW(cull)
+DRAW(shade)
+DRAW(nearest)
