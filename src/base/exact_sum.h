@@ -20,7 +20,7 @@ struct exact_sum {
 
 /* What a term adds to parts k, k + 1 and k + 2; returns k, or -1 for nothing, or -2 when the sum is to be
  * NAN. */
-static inline int exact_split(double term, int64_t part[3])
+static inline __attribute__((always_inline)) int exact_split(double term, int64_t part[3])
 {
     uint64_t bits, low = 0xffffffffu;
     if (!(fabs(term) < 0x1p127))
@@ -47,9 +47,13 @@ static inline void exact_add(struct exact_sum *s, double term)
 {
     int64_t part[3];
     int k = exact_split(term, part);
-    s->bad = s->bad || k == -2;
-    for (int n = 0; n < 3 && k >= 0; n++)
-        s->part[k + n] += part[n];
+    if (k < 0) {
+        s->bad = s->bad || k == -2;
+        return;
+    }
+    s->part[k] += part[0];
+    s->part[k + 1] += part[1];
+    s->part[k + 2] += part[2];
 }
 
 static inline void exact_merge(struct exact_sum *s, const struct exact_sum *other)

@@ -11,17 +11,26 @@ extern "C" {
 }
 
 struct device {
+    int index;
     cudaStream_t stream;
     void *scratch;       /* of sorting and scanning */
     size_t scratch_bytes;
     const char *last;    /* kernel that was launched last */
     cudaError_t failure; /* the first that was not reported yet */
     const char *failed;  /* what failed */
+    cudaError_t before;  /* the failure before a recording began */
 };
 
 struct device_graph {
     cudaGraphExec_t exec;
 };
+
+/* The device of a thread's calls is the thread's own: frames may be drawn by another than steps. */
+static cudaStream_t stream_of(struct device *d)
+{
+    cudaSetDevice(d->index);
+    return d->stream;
+}
 
 /* Keeps the first failure for the next call that can report it. */
 static bool keep(struct device *d, cudaError_t result, const char *what)
@@ -59,10 +68,10 @@ static enum status cuda_info(int index, struct device_info *info, struct error *
     int count = cuda_count(&why);
     memset(info, 0, sizeof *info);
     if (count == 0)
-        return error_set(e, STATUS_BACKEND, "--backend cuda: there is no GPU that CUDA can use%s%s; use "
-                         "--backend cpu", *why ? ": " : "", why);
+        return error_set(e, STATUS_BACKEND, "there is no GPU that CUDA can use%s%s; use --backend cpu and "
+                         "--renderer cpu", *why ? ": " : "", why);
     if (index < 0 || index >= count)
-        return error_set(e, STATUS_BACKEND, "--backend cuda:%d: %s; see sph-render list devices", index,
+        return error_set(e, STATUS_BACKEND, "cuda:%d: %s; see sph-render list devices", index,
                          count == 1 ? "there is one device, number 0" : "there are not so many devices");
     cudaError_t result = cudaSetDevice(index);
     if (result == cudaSuccess)
@@ -70,7 +79,7 @@ static enum status cuda_info(int index, struct device_info *info, struct error *
     if (result == cudaSuccess)
         result = cudaMemGetInfo(&info->free, &info->memory);
     if (result != cudaSuccess)
-        return error_set(e, STATUS_RUN, "--backend cuda:%d: %s", index, cudaGetErrorString(result));
+        return error_set(e, STATUS_RUN, "cuda:%d: %s", index, cudaGetErrorString(result));
     snprintf(info->name, sizeof info->name, "%s", p.name);
     info->compute = 10 * p.major + p.minor;
     cudaDriverGetVersion(&info->driver);
@@ -82,6 +91,7 @@ static void cuda_close(struct device *d)
 {
     if (!d)
         return;
+    cudaSetDevice(d->index);
     cudaFree(d->scratch);
     if (d->stream)
         cudaStreamDestroy(d->stream);
@@ -94,12 +104,13 @@ static enum status cuda_open(struct device **out, int index, struct error *e)
     *out = NULL;
     if (!d)
         return error_set(e, STATUS_RUN, "out of memory");
+    d->index = index;
     cudaError_t result = cudaSetDevice(index);
     if (result == cudaSuccess)
         result = cudaStreamCreateWithFlags(&d->stream, cudaStreamNonBlocking);
     if (result != cudaSuccess) {
         cuda_close(d);
-        return error_set(e, STATUS_RUN, "--backend cuda:%d: %s", index, cudaGetErrorString(result));
+        return error_set(e, STATUS_RUN, "cuda:%d: %s", index, cudaGetErrorString(result));
     }
     *out = d;
     return STATUS_OK;
@@ -110,9 +121,10 @@ static void *cuda_create(struct device *d, const char *label, size_t bytes, stru
     void *block = NULL;
     size_t available = 0, all = 0;
     bytes = bytes ? bytes : 1;
+    cudaStream_t stream = stream_of(d);
     cudaError_t result = cudaMalloc(&block, bytes);
     if (result == cudaSuccess) {
-        keep(d, cudaMemsetAsync(block, 0, bytes, d->stream), label);
+        keep(d, cudaMemsetAsync(block, 0, bytes, stream), label);
         return block;
     }
     cudaGetLastError();
@@ -153,24 +165,24 @@ static void cuda_unpin(struct device *d, void *block)
 static void cuda_upload(struct device *d, void *to, const void *host, size_t bytes)
 {
     if (bytes > 0)
-        keep(d, cudaMemcpyAsync(to, host, bytes, cudaMemcpyHostToDevice, d->stream), d->last);
+        keep(d, cudaMemcpyAsync(to, host, bytes, cudaMemcpyHostToDevice, stream_of(d)), d->last);
 }
 
 static void cuda_copy(struct device *d, void *to, const void *from, size_t bytes)
 {
     if (bytes > 0)
-        keep(d, cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, d->stream), d->last);
+        keep(d, cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToDevice, stream_of(d)), d->last);
 }
 
 static void cuda_clear(struct device *d, void *to, size_t bytes)
 {
     if (bytes > 0)
-        keep(d, cudaMemsetAsync(to, 0, bytes, d->stream), d->last);
+        keep(d, cudaMemsetAsync(to, 0, bytes, stream_of(d)), d->last);
 }
 
 static enum status cuda_wait(struct device *d, struct error *e)
 {
-    keep(d, cudaStreamSynchronize(d->stream), d->last);
+    keep(d, cudaStreamSynchronize(stream_of(d)), d->last);
     return report(d, e);
 }
 
@@ -178,7 +190,7 @@ static enum status cuda_read(struct device *d, void *host, const void *from, siz
                              struct error *e)
 {
     if (bytes > 0)
-        keep(d, cudaMemcpyAsync(host, from, bytes, cudaMemcpyDeviceToHost, d->stream), d->last);
+        keep(d, cudaMemcpyAsync(host, from, bytes, cudaMemcpyDeviceToHost, stream_of(d)), d->last);
     return cuda_wait(d, e);
 }
 
@@ -188,7 +200,7 @@ static void cuda_launch(struct device *d, const struct kernel *kernel, size_t th
     if (threads == 0)
         return;
     d->last = kernel->name;
-    kernel->run(threads, args, d->stream);
+    kernel->run(threads, args, stream_of(d));
     keep(d, cudaGetLastError(), kernel->name);
 }
 
@@ -215,11 +227,11 @@ static cudaError_t sort_pairs(void *scratch, size_t *bytes, const struct device_
 static enum status cuda_sort(struct device *d, const struct device_sort *s, struct error *e)
 {
     size_t bytes = 0;
-    keep(d, sort_pairs(NULL, &bytes, s, d->stream), "sort");
+    keep(d, sort_pairs(NULL, &bytes, s, stream_of(d)), "sort");
     if (!reserve(d, bytes, e))
         return e->status;
     d->last = "sort";
-    keep(d, sort_pairs(d->scratch, &bytes, s, d->stream), "sort");
+    keep(d, sort_pairs(d->scratch, &bytes, s, stream_of(d)), "sort");
     return report(d, e);
 }
 
@@ -227,43 +239,46 @@ static enum status cuda_sort(struct device *d, const struct device_sort *s, stru
 static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, struct error *e)
 {
     size_t bytes = 0, all = count + 1;
-    keep(d, cub::DeviceScan::ExclusiveSum(NULL, bytes, values, values, all, d->stream), "scan");
+    keep(d, cub::DeviceScan::ExclusiveSum(NULL, bytes, values, values, all, stream_of(d)), "scan");
     if (!reserve(d, bytes, e))
         return e->status;
     d->last = "scan";
-    keep(d, cub::DeviceScan::ExclusiveSum(d->scratch, bytes, values, values, all, d->stream), "scan");
+    keep(d, cub::DeviceScan::ExclusiveSum(d->scratch, bytes, values, values, all, stream_of(d)), "scan");
     return report(d, e);
 }
 
 static void cuda_record(struct device *d)
 {
-    keep(d, cudaStreamBeginCapture(d->stream, cudaStreamCaptureModeThreadLocal), "a recording");
+    d->before = d->failure;
+    keep(d, cudaStreamBeginCapture(stream_of(d), cudaStreamCaptureModeThreadLocal), "a recording");
 }
 
+/* What fails within a recording has not been run, and will be without it. */
 static struct device_graph *cuda_recorded(struct device *d)
 {
     struct device_graph *g = (struct device_graph *)calloc(1, sizeof *g);
     cudaGraph_t graph = NULL;
-    bool ok = keep(d, cudaStreamEndCapture(d->stream, &graph), "a recording") && g &&
-              cudaGraphInstantiate(&g->exec, graph, 0) == cudaSuccess;
+    bool ok = cudaStreamEndCapture(stream_of(d), &graph) == cudaSuccess && g &&
+              d->failure == d->before && cudaGraphInstantiate(&g->exec, graph, 0) == cudaSuccess;
     if (graph)
         cudaGraphDestroy(graph);
     if (ok)
         return g;
     cudaGetLastError();
+    d->failure = d->before;
     free(g);
     return NULL;
 }
 
 static void cuda_replay(struct device *d, struct device_graph *graph)
 {
-    keep(d, cudaGraphLaunch(graph->exec, d->stream), "a graph");
+    keep(d, cudaGraphLaunch(graph->exec, stream_of(d)), "a graph");
     d->last = "a graph of passes";
 }
 
 static void cuda_forget(struct device *d, struct device_graph *graph)
 {
-    cudaStreamSynchronize(d->stream);
+    cudaStreamSynchronize(stream_of(d));
     cudaGraphExecDestroy(graph->exec);
     free(graph);
 }
@@ -293,9 +308,9 @@ static double shortest(struct device *d, void (*run)(struct device *d, void *con
     cudaEventCreate(&first);
     cudaEventCreate(&last);
     for (int trial = 0; trial < 6; trial++) { /* the first warms up */
-        cudaEventRecord(first, d->stream);
+        cudaEventRecord(first, stream_of(d));
         run(d, context);
-        cudaEventRecord(last, d->stream);
+        cudaEventRecord(last, stream_of(d));
         cudaEventSynchronize(last);
         cudaEventElapsedTime(&ms, first, last);
         best = trial < 2 || ms < best ? ms : best;
@@ -315,7 +330,7 @@ static int peak_blocks(void)
 
 static void run_multiply_adds(struct device *d, void *out)
 {
-    multiply_adds<<<peak_blocks(), PEAK_THREADS, 0, d->stream>>>((float *)out, 0.999f, 1e-3f);
+    multiply_adds<<<peak_blocks(), PEAK_THREADS, 0, stream_of(d)>>>((float *)out, 0.999f, 1e-3f);
 }
 
 static double cuda_peak(struct device *d)
@@ -333,7 +348,7 @@ static const size_t COPY_BYTES = (size_t)256 << 20;
 
 static void run_copy(struct device *d, void *block)
 {
-    cudaMemcpyAsync((char *)block + COPY_BYTES, block, COPY_BYTES, cudaMemcpyDeviceToDevice, d->stream);
+    cudaMemcpyAsync((char *)block + COPY_BYTES, block, COPY_BYTES, cudaMemcpyDeviceToDevice, stream_of(d));
 }
 
 static double cuda_bandwidth(struct device *d)

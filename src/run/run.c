@@ -174,6 +174,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
     struct render_setup render = {
         .scene = scene,
         .renderer = options->renderer ? options->renderer : "auto",
+        .device = plan->device,
         .threads = options->threads,
         .raw = film_wants_raw(options->outputs, options->output_count),
         .vectors = film_wants_vectors(options->outputs, options->output_count),

@@ -29,23 +29,34 @@ static size_t block_count(const struct work *w)
     return (w->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
 }
 
+/* A thread's copy of the work and its scalars is no store's to change, so that it stays in registers. */
+#define HERE(w)                                                                                    \
+    struct scalars numbers = *(w)->scalars;                                                        \
+    struct work here = *(w);                                                                       \
+    here.scalars = &numbers
+
 /* A loop over threads; each collects in `own`, which is merged at its end. */
 #define RUN(name) static void run_##name(const struct work *w)
-#define THREADS(own, last) _Pragma("omp parallel") { own; _Pragma("omp for schedule(static)") \
+#define THREADS(own, last) _Pragma("omp parallel") { own; HERE(w); \
+    _Pragma("omp for schedule(static)") \
     for (size_t i = 0; i < (last); i++) {
 #define MERGE(merge) } _Pragma("omp critical") merge; }
 
 #define EACH(name, terms)                                                                          \
     RUN(name)                                                                                      \
     {                                                                                              \
-        _Pragma("omp parallel for schedule(static)") for (size_t i = 0; i < w->count; i++)         \
-            each_##name(w, i);                                                                     \
+        _Pragma("omp parallel")                                                                    \
+        {                                                                                          \
+            HERE(w);                                                                               \
+            _Pragma("omp for schedule(static)") for (size_t i = 0; i < w->count; i++)              \
+                each_##name(&here, i);                                                             \
+        }                                                                                          \
     }
 #define EXTREMES(name, terms)                                                                      \
     RUN(name)                                                                                      \
     {                                                                                              \
         THREADS(struct extremes own = {.bad = UINT32_MAX}, w->count)                               \
-        each_##name(w, i, &own);                                                                   \
+        each_##name(&here, i, &own);                                                               \
         MERGE(extremes_merge(&w->scalars->extremes, &own))                                         \
     }
 #define SUMS(name, terms)                                                                          \
@@ -53,7 +64,7 @@ static size_t block_count(const struct work *w)
     {                                                                                              \
         THREADS(struct scalar_sums own = {.fixed = {0}}, w->count)                                 \
         double term[SCALAR_SUMS];                                                                  \
-        each_##name(w, i, term);                                                                   \
+        each_##name(&here, i, term);                                                               \
         terms_add(&own, term, terms);                                                              \
         MERGE(sums_merge(&w->scalars->sums, &own, terms))                                          \
     }
@@ -64,8 +75,8 @@ static size_t block_count(const struct work *w)
         const size_t first = i * PARTICLE_BLOCK, left = w->count - first;                          \
         double sum[SCALAR_SUMS] = {0}, term[SCALAR_SUMS];                                          \
         for (size_t l = 0; l < PARTICLE_BLOCK && l < left; l++) {                                  \
-            each_##name(w, first + l, term);                                                       \
-            for (int t = 0; t < (terms); t++)                                                      \
+            each_##name(&here, first + l, term);                                                   \
+            _Pragma("GCC unroll 4") for (int t = 0; t < (terms); t++)                              \
                 sum[t] += term[t];                                                                 \
         }                                                                                          \
         terms_add(&own, sum, terms);                                                               \
@@ -75,7 +86,7 @@ static size_t block_count(const struct work *w)
     RUN(name)                                                                                      \
     {                                                                                              \
         THREADS(struct scalar_sums own = {.fixed = {0}}, w->count)                                 \
-        own.fixed[0] += each_##name(w, i);                                                         \
+        own.fixed[0] += each_##name(&here, i);                                                     \
         MERGE(sums_merge(&w->scalars->sums, &own, 0))                                              \
     }
 #define SCALAR(name, terms)                                                                        \

@@ -132,7 +132,7 @@ static enum status device_find(struct canvas *c, struct error *e)
     struct device_info info;
     if (c->row->count(&why) < 1)
         return error_set(e, STATUS_BACKEND, "there is no GPU that CUDA can use%s%s", *why ? ": " : "", why);
-    if (c->row->info(0, &info, e) || c->row->open(&c->device, 0, e))
+    if (c->row->info(c->setup.device, &info, e) || c->row->open(&c->device, c->setup.device, e))
         return e->status;
     snprintf(c->name, sizeof c->name, "cuda (%s)", info.name);
     return STATUS_OK;

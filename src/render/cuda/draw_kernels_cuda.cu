@@ -1,13 +1,5 @@
 /* The cuda renderer's kernels on a GPU. */
-#include <math.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#define inline __host__ __device__ __inline__
+#include "device/subset.h"
 extern "C" {
 /* Only what is nearer than what a thread finds there: others may have put something nearer since. */
 static __device__ __inline__ void draw_least(uint64_t *least, uint64_t key)
@@ -23,8 +15,6 @@ static __device__ __inline__ int draw_lowest(uint32_t bits)
 #include "render/picture.h"
 #include "render/place.h"
 #include "render/sample.h"
-#undef inline
-#define inline __device__ __inline__
 #include "render/cuda/draw.h"
 }
 #undef inline
