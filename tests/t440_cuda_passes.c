@@ -2,6 +2,7 @@
  * bits as the cpu's, work is counted alike, and memory that is short or a device that is lost is an error. */
 #include "backend/cuda/cuda.h"
 #include "base/memory.h"
+#include "run/budget.h"
 #include "run/simulation.h"
 #include "run/step.h"
 #include "scene/load.h"
@@ -177,6 +178,29 @@ static void memory_is_predicted(void **state)
     attempt_close(&t);
 }
 
+static double small_memory(int device, char name[64], struct error *e)
+{
+    (void)device;
+    (void)e;
+    strcpy(name, "a small GPU");
+    return 1 << 16;
+}
+
+/* Before any particle is made, when the device was asked for. */
+static void memory_is_planned(void **state)
+{
+    struct attempt t;
+    (void)state;
+    faulty_make();
+    faulty_row.memory = small_memory;
+    if (attempt_open(&t, &cases[13], &backend_cpu))
+        fail_msg("%s", t.error.text);
+    t.plan.backend = &faulty_row;
+    assert_int_equal(budget_check(&t.plan, &t.error), STATUS_RUN);
+    assert_non_null(strstr(t.error.text, "of a small GPU, but 6.554e-05 GB are free there"));
+    attempt_close(&t);
+}
+
 static void *failing_create(struct device *d, const char *label, size_t bytes, struct error *e)
 {
     if (creates_left-- > 0)
@@ -260,6 +284,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_bits),
         cmocka_unit_test(memory_is_predicted),
+        cmocka_unit_test(memory_is_planned),
         cmocka_unit_test(short_memory_leaks_nothing),
         cmocka_unit_test(lost_device_is_an_error),
         cmocka_unit_test(graphs_are_optional),

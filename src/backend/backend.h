@@ -66,6 +66,8 @@ struct backend_row {
     bool has_devices; /* NAME:N is its device N */
     /* Whether it can run here, else why not; NULL: everywhere. */
     bool (*available)(const char **why);
+    /* Free memory of a device, bytes, and its name; NULL: particles are in the host's. */
+    double (*memory)(int device, char name[64], struct error *e);
     /* Takes over `particles` (positions, velocities, densities, ids, fluids set) and the wall
      * particles, which may be empty. */
     enum status (*open)(struct backend **backend, const struct backend_setup *setup,

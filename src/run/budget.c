@@ -29,6 +29,31 @@ static double wall_bytes(void)
     return START_BYTES + WORK_BYTES + sizeof(struct position) + sizeof(uint32_t);
 }
 
+/* Bytes that each particle takes of a device: what the host would need for passes. */
+static double device_bytes(const struct plan *plan)
+{
+    const struct solver_choice *c = &plan->choice;
+    return (double)plan->bytes_per_particle + WORK_BYTES +
+           solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
+}
+
+/* The same for a device that was asked for; `fluid` and `wall` are numbers of particles. */
+static enum status device_check(const struct plan *plan, double fluid, double wall, struct error *e)
+{
+    char name[64] = "";
+    if (!plan->backend || !plan->backend->memory)
+        return STATUS_OK;
+    double have = plan->backend->memory(plan->device, name, e);
+    double bytes = fluid * device_bytes(plan) + wall * wall_bytes(), d = plan->scene->particles.spacing;
+    if (e->status || bytes <= have)
+        return e->status;
+    return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles, which take "
+                     "%.4g GB (%.0f bytes each) of %s, but %.4g GB are free there: use a spacing of "
+                     "%.3g m or more, another device, or --backend cpu",
+                     plan->scene->source, d, fluid, 1e-9 * bytes, device_bytes(plan), name, 1e-9 * have,
+                     d * cbrt(bytes / fmax(have, 1)) * 1.01);
+}
+
 enum status budget_check(const struct plan *plan, struct error *e)
 {
     const struct scene *scene = plan->scene;
@@ -43,7 +68,7 @@ enum status budget_check(const struct plan *plan, struct error *e)
                          scene->source, d, most, wall > fluid ? " in the walls" : "",
                          PARTICLES_MAX, d * cbrt(most / PARTICLES_MAX) * 1.01);
     if (have == 0 || bytes <= have)
-        return STATUS_OK;
+        return device_check(plan, fluid, wall, e);
     return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles (and "
                      "%.4g in walls), which take %.4g GB (%.0f bytes each), but there are %.4g GB "
                      "(%s): use a spacing of %.3g m or more, or smaller bodies",

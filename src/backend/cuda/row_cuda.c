@@ -1,6 +1,8 @@
 /* The row of the cuda back end; without CUDA only how to get it. */
 #include "backend/cuda/cuda.h"
 
+#include <stdio.h>
+
 #define NAME "cuda"
 #define DOC "a GPU of NVIDIA: --backend cuda, or cuda:N for device N"
 
@@ -16,10 +18,20 @@ static bool available(const char **why)
     return device_cuda.count(why) > 0;
 }
 
+static double memory(int device, char name[64], struct error *e)
+{
+    struct device_info info;
+    if (device_cuda.info(device, &info, e))
+        return 0;
+    snprintf(name, 64, "%.63s", info.name);
+    return (double)info.free;
+}
+
 const struct backend_row backend_cuda = {
     .variant = {.name = NAME, .doc = DOC},
     .has_devices = true,
     .available = available,
+    .memory = memory,
     .open = open_cuda,
     CUDA_FUNCTIONS,
 };
