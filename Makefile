@@ -159,7 +159,7 @@ info:
 	@echo "flags      $(CFLAGS_)"
 	@echo "back ends  cpu (scalar, AVX2, AVX-512: the best that the processor has)$(if $(filter 1,$(CUDA)), cuda)"
 	@$(foreach o,$(OPTIONS),echo "$(o)=$($(o))  $($(o)_doc)$(if $(filter 0,$($(o))),: not built in; needs $($(o)_needs))";)
-	$(if $(filter 1,$(CUDA)),@echo "GPUs       $(foreach a,$(CUDA_ARCHS),sm_$(a)) and PTX, by $(NVCC)")
+	$(if $(filter 1,$(CUDA)),@echo "GPUs       $(foreach a,$(CUDA_ARCHS),sm_$(a)) and PTX (by $(NVCC))")
 	@echo "MPI=$(MPI)  $(if $(MPICC),$(MPICC) found,no mpicc found); the program has no MPI code yet"
 
 install: all
