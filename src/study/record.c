@@ -45,6 +45,16 @@ bool record_load(struct study_point *point, const char *directory, int repeat, d
     return true;
 }
 
+time_t record_time(const struct study_point *point, const char *directory)
+{
+    struct stat about = {.st_mtime = 0};
+    char *path = record_path(point, directory, 0, "end");
+    if (path && stat(path, &about))
+        about.st_mtime = 0;
+    free(path);
+    return about.st_mtime;
+}
+
 /* The last line that the run said, without the program's name. */
 static void last_message(const char *path, char *out, size_t size)
 {

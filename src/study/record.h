@@ -4,6 +4,8 @@
 
 #include "study/study.h"
 
+#include <time.h>
+
 /* "DIRECTORY/FOLDER/rK.SUFFIX" (malloc), or NULL when memory is short. */
 char *record_path(const struct study_point *point, const char *directory, int repeat,
                   const char *suffix);
@@ -16,6 +18,9 @@ bool record_load(struct study_point *point, const char *directory, int repeat, d
  * itself fails is an outcome. */
 enum status record_make(struct study_point *point, const char *directory, int repeat, double limit,
                         struct error *e);
+
+/* When the first run ended; 0: it is not there. */
+time_t record_time(const struct study_point *point, const char *directory);
 
 /* Appends the repeat's times, and checks that its last state is that of the others. STATUS_RUN. */
 enum status record_times(struct study_point *point, const char *directory, int repeat,

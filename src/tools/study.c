@@ -14,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { STUDIES_MAX = 64 };
 
@@ -124,7 +125,7 @@ static enum status run_ledger(const struct request *r, const char *path, const c
     how.scene = path;
     how.directory = directory;
     how.repeats = r->repeats ? r->repeats : 5;
-    about_date(&about);
+    about_date(&about, time(NULL));
     if (ledger_check(&how, e) || output_make_directories(directory, e) ||
         output_claim(&claim, directory, e))
         return e->status;
@@ -172,6 +173,19 @@ static enum status summarize(const struct request *r, struct job *jobs, struct e
     return study_summary(all, r->count, r->directory, e);
 }
 
+/* Errors before times: each point once, in all studies, then what a study's share of the budget left out. */
+static enum status run_once(const struct request *r, struct job *jobs, double start, struct error *e)
+{
+    for (int again = 0; again < 2; again++)
+        for (size_t k = 0; k < r->count; k++) {
+            double left = r->budget - (clock_seconds() - start);
+            double share = again ? left : left / (double)(r->count - k);
+            if ((!again || job_lacks(&jobs[k])) && job_run(&jobs[k], 1, share, e))
+                return e->status;
+        }
+    return STATUS_OK;
+}
+
 /* All are read before anything is run or written; those that are left share the budget that is. */
 static enum status run_jobs(const struct request *r, struct job *jobs, struct error *e)
 {
@@ -180,9 +194,11 @@ static enum status run_jobs(const struct request *r, struct job *jobs, struct er
         if (job_open(&jobs[k], r->studies[k], r->directories[k], r->command, r->repeats, e) ||
             check_kind(r, &jobs[k].study, e))
             return e->status;
+    if (isfinite(r->budget) && run_once(r, jobs, start, e))
+        return e->status;
     for (size_t k = 0; k < r->count; k++) {
         double left = r->budget - (clock_seconds() - start);
-        if (job_run(&jobs[k], left / (double)(r->count - k), e))
+        if (job_run(&jobs[k], 0, left / (double)(r->count - k), e) || job_write(&jobs[k], e))
             return e->status;
     }
     return r->count > 1 && !r->stability ? summarize(r, jobs, e) : STATUS_OK;

@@ -15,8 +15,8 @@ enum figure_kind {
 struct figure {
     const struct study_ladder *ladder;
     enum figure_kind kind;
-    size_t plot;                  /* place of the error */
-    const struct study_error *of; /* it in some point: name, unit, asked, spread; NULL: none is known */
+    const char *error;            /* its name; NULL: none is known */
+    const struct study_error *of; /* it in some point: name, unit, asked, spread; or NULL */
     char stem[160];               /* of its files, in "plots" */
 };
 
@@ -26,9 +26,9 @@ size_t study_figures(const struct study_results *results, struct figure *figures
 /* Whether the ladder shows time against its value, for the rule see enum ladder_figure. */
 bool figure_is_time(const struct study_results *results, const struct study_ladder *ladder);
 
-/* An error of that place in some point of the ladder, or NULL. */
+/* The error of that name in some point of the ladder, or NULL. */
 const struct study_error *figure_error(const struct study_points *points,
-                                       const struct study_ladder *ladder, size_t plot);
+                                       const struct study_ladder *ladder, const char *name);
 
 /* One line of words below it. */
 void figure_caption(const struct figure *figure, char *out, size_t size);

@@ -69,7 +69,7 @@ static double x_of(const struct figure *figure, const struct figure_view *view,
                    const struct study_point *point)
 {
     if (figure->kind != FIGURE_VALUE)
-        return study_error_size(point, figure->plot) *
+        return study_error_size(point, figure->error) *
                (figure->of ? text_scale(figure->of->unit) : 1);
     return view->x.rungs ? (double)point->rung + 1 : strtod(figure->ladder->labels[point->rung], NULL);
 }
@@ -93,7 +93,7 @@ static void collect(const struct study_results *results, const struct figure *fi
                 (!mark.failed && (p->outcome != OUTCOME_DONE || isnan(mark.x) || !(mark.y > 0))))
                 continue;
             mark.front = figure->kind != FIGURE_VALUE && !mark.failed &&
-                         study_is_front(results->points, p, figure->plot, cost);
+                         study_is_front(results->points, p, figure->error, cost);
             view->marks[view->count++] = mark;
             view->failures = view->failures || mark.failed;
         }

@@ -33,8 +33,8 @@ static void write_errors(const struct study_errors *errors, FILE *out)
     fputs("]", out);
 }
 
-/* Order and front are of the first figure. */
-static void write_point(const struct study_points *points, const struct study_point *p, size_t plot,
+/* `plot` is the error of the first figure: order and front are of it. */
+static void write_point(const struct study_points *points, const struct study_point *p, const char *plot,
                         FILE *out)
 {
     fputs("{", out);
@@ -72,7 +72,7 @@ static void write_point(const struct study_points *points, const struct study_po
 static enum status write_json(const struct study_results *results, struct error *e)
 {
     char path[4096];
-    size_t plot = 0;
+    const char *plot = NULL;
     struct output_file file;
     snprintf(path, sizeof path, "%s/results.json", results->directory);
     if (output_open(&file, path, e))

@@ -15,11 +15,14 @@ static void cell(struct sheet *sheet, double value)
     sheet->format->cell(sheet, text, CELL_PLAIN);
 }
 
+/* NULL: the point has no such error. */
 static void cell_error(struct sheet *sheet, const struct study_error *error)
 {
     char text[64];
-    text_error(error->value, error->unit, text, sizeof text);
-    sheet->format->cell(sheet, text, fabs(error->value) > error->asked ? CELL_BOLD : CELL_PLAIN);
+    if (error)
+        text_found(error, text, sizeof text);
+    sheet->format->cell(sheet, error ? text : text_none,
+                        error && study_error_amount(error) > error->asked ? CELL_BOLD : CELL_PLAIN);
 }
 
 /* Least time of the method at the ladder's least value of threads, over this one's. */
@@ -64,8 +67,8 @@ static void write_numbers(struct sheet *sheet, const struct study_point *p)
         cell(sheet, speed_up(sheet->results, p));
 }
 
-static void write_point(struct sheet *sheet, const struct study_point *p, size_t error_count,
-                        const size_t *plots, size_t plot_count)
+static void write_point(struct sheet *sheet, const struct study_point *p,
+                        const struct study_errors *errors, const char *const *plots, size_t plot_count)
 {
     const struct study_points *points = sheet->results->points;
     char text[64];
@@ -74,11 +77,8 @@ static void write_point(struct sheet *sheet, const struct study_point *p, size_t
     text_value(p->ladder->labels[p->rung], text, sizeof text);
     sheet->format->cell(sheet, text, CELL_PLAIN);
     write_numbers(sheet, p);
-    for (size_t k = 0; k < error_count; k++)
-        if (k < p->errors.count)
-            cell_error(sheet, &p->errors.items[k]);
-        else
-            cell(sheet, (double)NAN);
+    for (size_t k = 0; errors && k < errors->count; k++)
+        cell_error(sheet, study_error(p, errors->items[k].name));
     for (size_t k = 0; k < plot_count; k++) {
         double order = study_order(points, p, plots[k]);
         snprintf(text, sizeof text, "%.2f", order);
@@ -93,7 +93,7 @@ static void write_point(struct sheet *sheet, const struct study_point *p, size_t
 }
 
 static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
-                        const struct study_point *example, const size_t *plots, size_t plot_count)
+                        const struct study_errors *errors, const char *const *plots, size_t plot_count)
 {
     static const char *const fixed[] = {"N", "mean step, s", "steps", "rejected", "iterations a step",
                                         "wall, s", "median, s", "processor, s", "pairs"};
@@ -104,11 +104,11 @@ static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
         heads[count++] = fixed[k];
     if (by_threads(ladder))
         heads[count++] = "speed-up";
-    for (size_t k = 0; example && k < example->errors.count; k++)
-        heads[count++] = example->errors.items[k].name;
+    for (size_t k = 0; errors && k < errors->count; k++)
+        heads[count++] = errors->items[k].name;
     for (size_t k = 0; k < plot_count; k++) {
-        bool say = plot_count > 1 && example && plots[k] < example->errors.count;
-        const char *name = say ? example->errors.items[plots[k]].name : "";
+        bool say = plot_count > 1;
+        const char *name = say ? plots[k] : "";
         snprintf(orders[k], sizeof orders[k], "order%s%s", say ? " of " : "", name);
         snprintf(fronts[k], sizeof fronts[k], "front%s%s", say ? " of " : "", name);
         heads[count++] = orders[k];
@@ -118,18 +118,6 @@ static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
     heads[count++] = "momentum drift";
     heads[count++] = "outcome";
     sheet_heads(sheet, heads, count);
-}
-
-/* A point of the ladder that has errors, or NULL. */
-static const struct study_point *find_example(const struct study_points *points,
-                                              const struct study_ladder *ladder)
-{
-    const struct study_point *example = NULL;
-    for (size_t k = 0; k < points->count; k++)
-        if (points->items[k].ladder == ladder &&
-            (!example || points->items[k].errors.count > example->errors.count))
-            example = &points->items[k];
-    return example;
 }
 
 static void write_notes(struct sheet *sheet, const struct study_ladder *ladder)
@@ -151,17 +139,18 @@ static void write_notes(struct sheet *sheet, const struct study_ladder *ladder)
 static void write_table(struct sheet *sheet, const struct study_ladder *ladder)
 {
     const struct study_results *results = sheet->results;
-    size_t plots[ERRORS_MAX], plot_count = study_plots(results, plots, ERRORS_MAX);
+    const char *plots[ERRORS_MAX];
+    size_t plot_count = study_plots(results, plots, ERRORS_MAX);
     if (figure_is_time(results, ladder)) /* no orders and fronts */
         plot_count = 0;
-    const struct study_point *example = find_example(results->points, ladder);
+    const struct study_errors *errors = study_most_errors(results->points, ladder);
     sheet->format->table(sheet, true);
-    write_heads(sheet, ladder, example, plots, plot_count);
+    write_heads(sheet, ladder, errors, plots, plot_count);
     for (size_t m = 0; m < results->study->method_count; m++)
         for (size_t k = 0; k < results->points->count; k++) {
             const struct study_point *p = &results->points->items[k];
             if (p->ladder == ladder && p->method == &results->study->methods[m])
-                write_point(sheet, p, example ? example->errors.count : 0, plots, plot_count);
+                write_point(sheet, p, errors, plots, plot_count);
         }
     sheet->format->table(sheet, false);
     write_notes(sheet, ladder);
