@@ -114,7 +114,14 @@ void figure_caption(const struct figure *figure, char *out, size_t size)
              against[0] ? against : figure->ladder->name);
 }
 
+double figure_wall_of_steps(const struct study_point *point)
+{
+    double steps = point->ladder->steps;
+    return study_wall(point) * (steps > 0 ? steps / point->steps : 1);
+}
+
 double (*figure_cost(const struct figure *figure))(const struct study_point *)
 {
-    return figure->kind == FIGURE_PAIRS ? study_pairs : study_wall;
+    return figure->kind == FIGURE_PAIRS ? study_pairs
+           : figure->kind == FIGURE_VALUE ? figure_wall_of_steps : study_wall;
 }

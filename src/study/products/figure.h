@@ -33,6 +33,9 @@ const struct study_error *figure_error(const struct study_points *points,
 /* One line of words below it. */
 void figure_caption(const struct figure *figure, char *out, size_t size);
 
+/* Wall time, s; where the ladder says a number of steps, of so many. */
+double figure_wall_of_steps(const struct study_point *point);
+
 /* What a point costs in this figure. */
 double (*figure_cost(const struct figure *figure))(const struct study_point *);
 

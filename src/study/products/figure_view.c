@@ -111,6 +111,9 @@ static void set_axes(const struct study_results *results, const struct figure *f
             include(&view->y, mark->y);
         zero = zero || (!mark->failed && mark->x == 0);
     }
+    for (size_t o = 0; o < figure->ladder->other_count && !errors; o++)
+        for (size_t k = 0; k < figure->ladder->count; k++)
+            include(&view->y, figure->ladder->others[o].seconds[k]);
     if (errors && figure->of) {
         double scale = text_scale(figure->of->unit);
         include_near(&view->x, figure->of->asked * scale);

@@ -22,6 +22,9 @@ void summary_about(const struct study_results *all, size_t count, FILE *out);
 /* Whether a point has an error. */
 bool summary_has_errors(const struct study_results *results);
 
+/* Whether it varies settings: more than one ladder, with errors. */
+bool summary_has_settings(const struct study_results *results);
+
 /* The point of the method that stands for the scene: in the first ladder the rung as shipped, else the
  * last; NULL when the study does not have the method. */
 const struct study_point *summary_point(const struct study_results *results, const char *method);

@@ -1,7 +1,6 @@
 /* Part of the summary of several studies: what each setting changes of time and error. */
 #include "study/products/summary.h"
 
-#include "study/products/figure.h"
 #include "study/products/text.h"
 
 #include <math.h>
@@ -27,7 +26,7 @@ static void name_setting(const struct study_results *results, const struct study
     out[0] = 0;
     if (p->ladder && first && !own)
         snprintf(out, size, "%s", p->method->name);
-    else if (p->ladder && !first && own && !figure_is_time(results, p->ladder))
+    else if (p->ladder && !first && own)
         snprintf(out, size, "`%s` %s", p->ladder->key, p->ladder->labels[p->rung]);
 }
 
@@ -88,20 +87,23 @@ static size_t add_settings(const struct study_results *results, struct setting *
     return count;
 }
 
-/* Those with several ladders of errors vary settings. */
-static bool has_settings(const struct study_results *results)
+bool summary_has_settings(const struct study_results *results)
 {
-    return results->study->ladder_count > 1 && summary_has_errors(results) &&
-           !figure_is_time(results, &results->study->ladders[1]);
+    const struct study *study = results->study;
+    bool settings = study->ladder_count > 1 && summary_has_errors(results);
+    for (size_t k = 0; k < study->ladder_count; k++)
+        settings = settings && strcmp(study->ladders[k].key, "threads") != 0 &&
+                   strcmp(study->ladders[k].key, "isa") != 0;
+    return settings;
 }
 
 static void write_heads(const struct study_results *all, size_t count, FILE *out)
 {
     size_t columns = 0;
-    fputs("Processor time and error (the first of each case above) as parts of those of the first column above, at the same "
-          "resolution:\n\n| setting |", out);
+    fputs("Processor time, and the first error of each case, as parts of the default's at the same resolution:\n\n"
+          "| setting |", out);
     for (size_t k = 0; k < count; k++)
-        if (has_settings(&all[k])) {
+        if (summary_has_settings(&all[k])) {
             const char *title = all[k].study->title;
             fprintf(out, " %.*s |", (int)strcspn(title, ":"), title);
             columns++;
@@ -117,7 +119,7 @@ void summary_settings(const struct study_results *all, size_t count, FILE *out)
     static struct setting settings[SETTINGS_MAX];
     size_t found = 0;
     for (size_t k = 0; k < count; k++)
-        if (has_settings(&all[k]))
+        if (summary_has_settings(&all[k]))
             found = add_settings(&all[k], settings, found);
     if (!found)
         return;
@@ -125,7 +127,7 @@ void summary_settings(const struct study_results *all, size_t count, FILE *out)
     for (size_t s = 0; s < found; s++) {
         fprintf(out, "| %s |", settings[s].name);
         for (size_t k = 0; k < count; k++)
-            if (has_settings(&all[k]))
+            if (summary_has_settings(&all[k]))
                 write_cell(&all[k], settings[s].name, out);
         fputc('\n', out);
     }

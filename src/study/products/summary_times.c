@@ -58,7 +58,7 @@ static void write_method(const struct study_results *results, const struct study
     for (size_t k = 0; k < ladder->count; k++) {
         const struct study_point *p = find(results, ladder, method, k);
         if (p->outcome == OUTCOME_DONE || p->outcome == OUTCOME_LEFT_OUT)
-            write_seconds(study_wall(p) * (ladder->steps > 0 ? ladder->steps / p->steps : 1), out);
+            write_seconds(figure_wall_of_steps(p), out);
         else
             fprintf(out, " %s |", outcome_names[p->outcome]);
     }
@@ -82,6 +82,7 @@ static void write_ladder(const struct study_results *results, const struct study
 void summary_times(const struct study_results *results, FILE *out)
 {
     for (size_t l = 0; l < results->study->ladder_count; l++)
-        if (figure_is_time(results, &results->study->ladders[l]) || !summary_has_errors(results))
+        if (!summary_has_settings(results) &&
+            (figure_is_time(results, &results->study->ladders[l]) || !summary_has_errors(results)))
             write_ladder(results, &results->study->ladders[l], out);
 }
