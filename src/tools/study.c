@@ -4,6 +4,7 @@
 #include "base/quote.h"
 #include "study/job.h"
 #include "study/ledger/ledger.h"
+#include "study/map/index.h"
 #include "study/products/summary.h"
 #include "tools/tools.h"
 
@@ -165,12 +166,14 @@ static enum status check_names(const struct request *r, struct error *e)
     return STATUS_OK;
 }
 
+/* What all have in common. */
 static enum status summarize(const struct request *r, struct job *jobs, struct error *e)
 {
     struct study_results all[STUDIES_MAX];
     for (size_t k = 0; k < r->count; k++)
         all[k] = job_results(&jobs[k]);
-    return study_summary(all, r->count, r->directory, e);
+    return r->stability     ? map_index(all, r->count, r->directory, e)
+           : r->count > 1 ? study_summary(all, r->count, r->directory, e) : STATUS_OK;
 }
 
 /* Errors before times: each point once, in all studies, then what a study's share of the budget left out. */
@@ -201,7 +204,7 @@ static enum status run_jobs(const struct request *r, struct job *jobs, struct er
         if (job_run(&jobs[k], 0, left / (double)(r->count - k), e) || job_write(&jobs[k], e))
             return e->status;
     }
-    return r->count > 1 && !r->stability ? summarize(r, jobs, e) : STATUS_OK;
+    return summarize(r, jobs, e);
 }
 
 static enum status run_studies(const struct request *r, struct error *e)

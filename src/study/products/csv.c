@@ -12,7 +12,7 @@ static void write_number(double number, FILE *out)
     csv_number(number, out);
 }
 
-static void write_names(const struct study_errors *errors, FILE *out)
+static void write_names(const struct study_errors *errors, bool seeds, FILE *out)
 {
     fputs("ladder,method,key,value,outcome,cause,particles,spacing (m),threads,isa,repeats,"
           "wall (s),wall median (s),processor (s),ns a particle and step,pairs,steps,rejected,mean step (s),iterations a step,"
@@ -20,11 +20,17 @@ static void write_names(const struct study_errors *errors, FILE *out)
     for (size_t i = 0; errors && i < errors->count; i++) {
         fputc(',', out);
         csv_text(errors->items[i].name, out);
+        if (seeds) { /* with the mean comes the spread */
+            char name[sizeof errors->items[i].name + 32];
+            snprintf(name, sizeof name, "%s: deviation", errors->items[i].name);
+            fputc(',', out);
+            csv_text(name, out);
+        }
     }
     fputc('\n', out);
 }
 
-static void write_point(const struct study_point *p, const struct study_errors *errors, FILE *out)
+static void write_point(const struct study_point *p, const struct study_errors *errors, bool seeds, FILE *out)
 {
     const char *const texts[] = {p->ladder ? p->ladder->name : "reference",
                                  p->method ? p->method->name : "reference",
@@ -50,6 +56,8 @@ static void write_point(const struct study_point *p, const struct study_errors *
     for (size_t i = 0; errors && i < errors->count; i++) {
         const struct study_error *error = study_error(p, errors->items[i].name);
         write_number(error ? error->value : (double)NAN, out);
+        if (seeds)
+            write_number(error ? error->deviation : (double)NAN, out);
     }
     fputc('\n', out);
 }
@@ -62,9 +70,10 @@ static enum status write_csv(const struct study_results *results, struct error *
     if (output_open(&file, path, e))
         return e->status;
     const struct study_errors *errors = study_most_errors(results->points, NULL);
-    write_names(errors, file.stream);
+    bool seeds = results->study->seeds > 1;
+    write_names(errors, seeds, file.stream);
     for (size_t k = 0; k < results->points->count; k++)
-        write_point(&results->points->items[k], errors, file.stream);
+        write_point(&results->points->items[k], errors, seeds, file.stream);
     return output_close(&file, true, e);
 }
 

@@ -49,6 +49,7 @@ struct figure_axis {
 struct figure_mark {
     const struct study_point *point;
     double x, y;
+    double low, high; /* x of the least and the most of its seeds; NAN: none */
     bool failed, front;
 };
 

@@ -80,6 +80,16 @@ static bool has_failed(const struct study_point *point)
            point->outcome == OUTCOME_CRASHED;
 }
 
+/* From the least to the most error of its seeds. */
+static void set_bar(const struct figure *figure, struct figure_mark *mark)
+{
+    const struct study_error *error = study_error(mark->point, figure->error);
+    if (mark->failed || figure->kind == FIGURE_VALUE || !error || error->runs < 2)
+        return;
+    mark->low = error->least * text_scale(error->unit);
+    mark->high = error->most * text_scale(error->unit);
+}
+
 static void collect(const struct study_results *results, const struct figure *figure,
                     struct figure_view *view)
 {
@@ -88,7 +98,9 @@ static void collect(const struct study_results *results, const struct figure *fi
         for (size_t k = 0; k < results->points->count; k++) {
             const struct study_point *p = &results->points->items[k];
             double (*cost)(const struct study_point *) = figure_cost(figure);
-            struct figure_mark mark = {p, x_of(figure, view, p), cost(p), has_failed(p), false};
+            struct figure_mark mark = {.point = p, .x = x_of(figure, view, p), .y = cost(p),
+                                       .failed = has_failed(p), .low = (double)NAN, .high = (double)NAN};
+            set_bar(figure, &mark);
             if (p->ladder != figure->ladder || p->method != &study->methods[m] ||
                 (!mark.failed && (p->outcome != OUTCOME_DONE || isnan(mark.x) || !(mark.y > 0))))
                 continue;
@@ -107,6 +119,8 @@ static void set_axes(const struct study_results *results, const struct figure *f
         const struct figure_mark *mark = &view->marks[k];
         if (!mark->failed || !errors)
             include(&view->x, mark->x);
+        include(&view->x, mark->low);
+        include(&view->x, mark->high);
         if (!mark->failed)
             include(&view->y, mark->y);
         zero = zero || (!mark->failed && mark->x == 0);

@@ -209,6 +209,19 @@ static void write_head(struct script *s)
             key_lines(s), HEIGHT, LINE);
 }
 
+/* From the least to the most of the seeds. */
+static void plot_bars(struct script *s, size_t block, const char *color)
+{
+    bool any = false;
+    for (size_t k = 0; k < s->view->count; k++)
+        any = any || !isnan(s->view->marks[k].high);
+    if (!any)
+        return;
+    begin_entry(s);
+    fprintf(s->out, "data index %zu using 1:2:5:6 with xerrorbars linewidth 2 pointtype 0 linecolor rgb '%s' notitle",
+            block, color);
+}
+
 static void plot_methods(struct script *s)
 {
     size_t block = 0;
@@ -224,6 +237,7 @@ static void plot_methods(struct script *s)
             begin_entry(s);
             fprintf(s->out, "data index %zu using 1:2 with %s", block++, style);
             write_title(s, s->results->study->methods[m].name);
+            plot_bars(s, block - 1, method_color(m));
         } else if (s->shown[m]) {
             say_in_key(s, style, s->results->study->methods[m].name);
         }
@@ -322,6 +336,10 @@ static void plot_all(struct script *s)
                   "boxes fillstyle solid noborder linecolor rgb '" SPREAD_COLOR "'");
         say_limit(s, s->results->study->floor, "float32 cannot tell below ",
                   "boxes fillstyle solid noborder linecolor rgb '" FLOOR_COLOR "'");
+    }
+    if (work && s->results->study->seeds > 1) {
+        snprintf(text, sizeof text, "bars: least to most of %d seeds", s->results->study->seeds);
+        say_in_key(s, "lines linewidth 2 linecolor rgb '#444444'", text);
     }
     if (work && ladder->key[0]) {
         snprintf(text, sizeof text, "numbers: %s", ladder->key);

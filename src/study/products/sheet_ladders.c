@@ -5,9 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Times whose median lies further above the least are marked. */
-#define NOISE 0.1
-
 static void cell(struct sheet *sheet, double value)
 {
     char text[64];
@@ -43,9 +40,11 @@ static bool by_threads(const struct study_ladder *ladder)
     return strcmp(ladder->key, "threads") == 0;
 }
 
+/* Its time is not sure: every run of it waited for others, or only one of several did not. */
 static bool is_noisy(const struct study_point *point)
 {
-    return study_wall_median(point) > (1 + NOISE) * study_wall(point);
+    int calm = study_calm(point);
+    return point->repeats > 0 && (calm == 0 || (calm == 1 && point->repeats > 1));
 }
 
 static void write_numbers(struct sheet *sheet, const struct study_point *p)
@@ -123,17 +122,28 @@ static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
 static void write_notes(struct sheet *sheet, const struct study_ladder *ladder)
 {
     const struct study_points *points = sheet->results->points;
-    size_t noisy = 0;
-    for (size_t k = 0; k < points->count; k++)
-        noisy += points->items[k].ladder == ladder && is_noisy(&points->items[k]);
+    size_t noisy = 0, left_out = 0, seeds = (size_t)sheet->results->study->seeds;
+    for (size_t k = 0; k < points->count; k++) {
+        const struct study_point *p = &points->items[k];
+        noisy += p->ladder == ladder && is_noisy(p);
+        left_out += p->ladder == ladder && p->repeats > 0 ? (size_t)(p->repeats - study_calm(p)) : 0;
+    }
     sheet_paragraph(sheet, false, "Bold: more than asked. %sDrift: part of the largest energy, and of the "
                     "momentum of all mass at the mean speed of most kinetic energy.",
                     figure_is_time(sheet->results, ladder) ? ""
                     : "Front ●: no other point errs less in less time. Order: p of error ~ spacing^p from the "
                       "rung before. ");
+    if (seeds > 1)
+        sheet_paragraph(sheet, false, "Each point is %zu runs from different seeds of disorder: errors are their mean ± "
+                        "standard deviation, compared by the mean of their sizes; bars in figures reach from the least to "
+                        "the most; times are means. Steps, drifts and states are of the first.", seeds);
+    if (left_out)
+        sheet_paragraph(sheet, false, "%zu runs were disturbed, more than 10 %% longer than others of their point or than "
+                        "their processor time; they are left out of the medians, and were made again as far as the "
+                        "budget went.", left_out);
     if (noisy)
-        sheet_paragraph(sheet, true, "~: %zu points are noisy; their median time is more than %g %% above "
-                        "the least.", noisy, 100 * NOISE);
+        sheet_paragraph(sheet, true, "~: the times of %zu points are not sure: at most one of their runs was not "
+                        "disturbed.", noisy);
 }
 
 static void write_table(struct sheet *sheet, const struct study_ladder *ladder)
@@ -171,6 +181,7 @@ enum status sheet_ladders(struct sheet *sheet, struct error *e)
         if (!figure_is_time(sheet->results, ladder))
             sheet_efforts(sheet, ladder);
         write_table(sheet, ladder);
+        sheet_convergence(sheet, ladder);
         if (sheet->format->frames(sheet, ladder, e))
             return e->status;
     }
