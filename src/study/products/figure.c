@@ -105,18 +105,23 @@ size_t study_figures(const struct study_results *results, struct figure *figures
     return count;
 }
 
+const char *figure_key(const struct study_ladder *ladder)
+{
+    return ladder->key[0] && strcmp(ladder->key, "title") != 0 ? ladder->key : ladder->name;
+}
+
 void figure_caption(const struct figure *figure, char *out, size_t size)
 {
     static const char *const costs[] = {"wall time", "evaluated pairs", "wall time"};
-    const char *against = figure->kind == FIGURE_VALUE ? figure->ladder->key
+    const char *against = figure->kind == FIGURE_VALUE ? figure_key(figure->ladder)
                           : figure->of                 ? figure->of->name : "the error";
     snprintf(out, size, "Ladder %s: %s against %s", figure->ladder->name, costs[figure->kind],
-             against[0] ? against : figure->ladder->name);
+             against);
 }
 
 double figure_wall_of_steps(const struct study_point *point)
 {
-    double steps = point->ladder->steps;
+    double steps = point->ladder ? point->ladder->steps : (double)NAN;
     return study_wall(point) * (steps > 0 ? steps / point->steps : 1);
 }
 

@@ -30,6 +30,9 @@ bool figure_is_time(const struct study_results *results, const struct study_ladd
 const struct study_error *figure_error(const struct study_points *points,
                                        const struct study_ladder *ladder, const char *name);
 
+/* What a ladder's values are called: its key, or its name where that says more. */
+const char *figure_key(const struct study_ladder *ladder);
+
 /* One line of words below it. */
 void figure_caption(const struct figure *figure, char *out, size_t size);
 

@@ -77,8 +77,8 @@ static bool bar_crosses(const struct figure_view *view, size_t k, const struct b
     if (isnan(mark->high))
         return false;
     double low = mark->low > view->x.from ? figure_part(&view->x, mark->low) : 0;
-    return y + MARK_SIZE / 2 > box->bottom && y - MARK_SIZE / 2 < box->top && low < box->right &&
-           figure_part(&view->x, mark->high) > box->left;
+    return y + MARK_SIZE / 2 > box->bottom && y - MARK_SIZE / 2 < box->top && low - MARK_SIZE / 2 < box->right &&
+           figure_part(&view->x, mark->high) + MARK_SIZE / 2 > box->left;
 }
 
 static bool is_free(const struct figure_view *view, const enum label_side *sides, size_t k,

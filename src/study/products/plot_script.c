@@ -171,7 +171,7 @@ static void write_axes(struct script *s)
     figure_tics(s->figure, &v->x, 'x', s->out);
     figure_tics(s->figure, &v->y, 'y', s->out);
     if (s->figure->kind == FIGURE_VALUE)
-        snprintf(text, sizeof text, "%s", ladder->key[0] ? ladder->key : ladder->name);
+        snprintf(text, sizeof text, "%s", figure_key(ladder));
     else
         snprintf(text, sizeof text, "error: %s%s%s", of ? of->name : "", of && of->unit[0] ? ", " : "",
                  of ? of->unit : "");

@@ -38,24 +38,47 @@ static void write_outcomes(const struct study_results *all, size_t count, FILE *
             enum outcome outcome = all[k].points->items[i].outcome;
             *(outcome == OUTCOME_DONE ? &done : outcome == OUTCOME_LEFT_OUT ? &left_out : &failed) += 1;
         }
-    fprintf(out, ": %zu points, %zu stopped or late, %zu left out by the budget (–). ", done + failed + left_out,
+    fprintf(out, ": %zu points, %zu stopped or late, %zu left out by the budget (–).\n", done + failed + left_out,
             failed, left_out);
+}
+
+static void write_tables(const struct study_results *all, size_t count, FILE *out)
+{
+    summary_about(all, count, out);
+    write_outcomes(all, count, out);
+    fputs("Bold: more than asked. ~: every run waited for others on the machine.\n\n", out);
+    summary_errors(all, count, out);
+    for (size_t k = 0; k < count; k++)
+        summary_times(&all[k], out);
+}
+
+static void write_settings(const struct study_results *all, size_t count, FILE *out)
+{
+    summary_about(all, count, out);
+    write_outcomes(all, count, out);
+    summary_settings(all, count, out);
+}
+
+static enum status write_file(const struct study_results *all, size_t count, const char *directory,
+                              const char *name, void (*write)(const struct study_results *, size_t, FILE *),
+                              struct error *e)
+{
+    char path[4096];
+    struct output_file file;
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    if (output_open(&file, path, e))
+        return e->status;
+    write(all, count, file.stream);
+    return output_close(&file, true, e);
 }
 
 enum status study_summary(const struct study_results *all, size_t count, const char *directory,
                           struct error *e)
 {
-    char path[4096];
-    struct output_file file;
-    snprintf(path, sizeof path, "%s/summary.md", directory);
-    if (output_open(&file, path, e))
-        return e->status;
-    summary_about(all, count, file.stream);
-    write_outcomes(all, count, file.stream);
-    fputs("Bold: more than asked.\n\n", file.stream);
-    summary_errors(all, count, file.stream);
-    summary_settings(all, count, file.stream);
+    bool settings = false;
     for (size_t k = 0; k < count; k++)
-        summary_times(&all[k], file.stream);
-    return output_close(&file, true, e);
+        settings = settings || summary_has_settings(&all[k]);
+    if (write_file(all, count, directory, "summary.md", write_tables, e))
+        return e->status;
+    return settings ? write_file(all, count, directory, "settings.md", write_settings, e) : STATUS_OK;
 }

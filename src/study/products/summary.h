@@ -5,8 +5,8 @@
 #include "study/products/products.h"
 
 /* Writes DIRECTORY/summary.md: when and where it was measured; a table of the errors of all studies that have
- * some, a column for each method; a table of what each setting changes, for studies with several ladders; and
- * for each ladder of times a table of them. STATUS_OUTPUT. */
+ * some, a column for each method; for each ladder of times a table of them; and, where studies have several
+ * ladders, DIRECTORY/settings.md: a table of what each setting changes. STATUS_OUTPUT. */
 enum status study_summary(const struct study_results *all, size_t count, const char *directory,
                           struct error *e);
 

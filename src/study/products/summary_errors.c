@@ -62,8 +62,11 @@ static void write_row(const struct study_results *results, const struct study_er
 {
     char asked[64];
     text_error(error->asked, error->unit, asked, sizeof asked);
-    fprintf(out, "| %s | %s | %s%s |", place ? "" : results->study->title, error->name,
-            isnan(error->asked) ? "" : "< ", isnan(error->asked) ? "" : asked);
+    fputs("| ", out);
+    text_markdown(place ? "" : results->study->title, out);
+    fputs(" | ", out);
+    text_markdown(error->name, out);
+    fprintf(out, " | %s%s |", isnan(error->asked) ? "" : "< ", isnan(error->asked) ? "" : asked);
     for (size_t m = 0; m < columns->count; m++)
         write_cell(summary_point(results, columns->names[m]), error->name, out);
     fputc('\n', out);

@@ -5,7 +5,6 @@
 #include "study/products/text.h"
 
 #include <math.h>
-#include <string.h>
 
 static const struct study_point *find(const struct study_results *results,
                                       const struct study_ladder *ladder,
@@ -19,22 +18,24 @@ static const struct study_point *find(const struct study_results *results,
     return NULL;
 }
 
-static void write_seconds(double seconds, FILE *out)
+/* "~": the machine was busy. */
+static void write_seconds(double seconds, bool calm, FILE *out)
 {
     char text[64];
     if (isnan(seconds))
         snprintf(text, sizeof text, "%s", text_none);
     else
         snprintf(text, sizeof text, seconds < 100 ? "%.3g" : "%.0f", seconds);
-    fprintf(out, " %s |", text);
+    fprintf(out, " %s%s |", text, calm || isnan(seconds) ? "" : " ~");
 }
 
 static void write_head(const struct study_results *results, const struct study_ladder *ladder, FILE *out)
 {
-    fprintf(out, "%s: wall time, s", results->study->title);
+    text_markdown(results->study->title, out);
+    fputs(": wall time, s", out);
     if (ladder->steps > 0)
         fprintf(out, ", for %.0f steps, in proportion from those of the run", ladder->steps);
-    fprintf(out, ".\n\n| %s |", ladder->key[0] == 't' && strcmp(ladder->key, "title") == 0 ? "" : ladder->key);
+    fprintf(out, ".\n\n| %s |", figure_key(ladder));
     for (size_t k = 0; k < ladder->count; k++) {
         char text[32];
         text_value(ladder->labels[k], text, sizeof text);
@@ -58,7 +59,7 @@ static void write_method(const struct study_results *results, const struct study
     for (size_t k = 0; k < ladder->count; k++) {
         const struct study_point *p = find(results, ladder, method, k);
         if (p->outcome == OUTCOME_DONE || p->outcome == OUTCOME_LEFT_OUT)
-            write_seconds(figure_wall_of_steps(p), out);
+            write_seconds(figure_wall_of_steps(p), study_calm(p) > 0, out);
         else
             fprintf(out, " %s |", outcome_names[p->outcome]);
     }
@@ -73,7 +74,7 @@ static void write_ladder(const struct study_results *results, const struct study
     for (size_t o = 0; o < ladder->other_count; o++) {
         fprintf(out, "| *%s* |", ladder->others[o].name);
         for (size_t k = 0; k < ladder->count; k++)
-            write_seconds(ladder->others[o].seconds[k], out);
+            write_seconds(ladder->others[o].seconds[k], true, out);
         fputc('\n', out);
     }
     fputc('\n', out);
