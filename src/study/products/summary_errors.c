@@ -100,6 +100,42 @@ static void write_study(const struct study_results *results,
     write_times(results, columns, out);
 }
 
+/* Whether a point of the method is on the front of the first ladder, time against the first error. */
+static bool has_front(const struct study_results *results, const char *method)
+{
+    const char *error;
+    bool front = false;
+    size_t plots = study_plots(results, &error, 1);
+    for (size_t k = 0; k < results->points->count && plots; k++) {
+        const struct study_point *p = &results->points->items[k];
+        front = front || (p->ladder == results->study->ladders && strcmp(p->method->name, method) == 0 &&
+                          study_is_front(results->points, p, error, study_cpu));
+    }
+    return front;
+}
+
+/* "isph in 16 (alone in 7), wcsph in 4": in how many cases a method is on the front. */
+static void write_fronts(const struct study_results *all, size_t count, const struct columns_of_methods *columns,
+                         FILE *out)
+{
+    size_t cases = 0;
+    for (size_t k = 0; k < count; k++)
+        cases += summary_has_errors(&all[k]);
+    fprintf(out, "On the front of processor time against the first error, of %zu cases:", cases);
+    for (size_t m = 0; m < columns->count; m++) {
+        size_t on = 0, alone = 0;
+        for (size_t k = 0; k < count; k++) {
+            bool front = summary_has_errors(&all[k]) && has_front(&all[k], columns->names[m]), others = false;
+            for (size_t i = 0; i < columns->count && front; i++)
+                others = others || (i != m && has_front(&all[k], columns->names[i]));
+            on += front;
+            alone += front && !others;
+        }
+        fprintf(out, "%s %s in %zu (alone in %zu)", m ? "," : "", columns->names[m], on, alone);
+    }
+    fputs(".\n\n", out);
+}
+
 void summary_errors(const struct study_results *all, size_t count, FILE *out)
 {
     struct columns_of_methods columns = {.count = 0};
@@ -119,4 +155,5 @@ void summary_errors(const struct study_results *all, size_t count, FILE *out)
         if (summary_has_errors(&all[k]))
             write_study(&all[k], &columns, out);
     fputc('\n', out);
+    write_fronts(all, count, &columns, out);
 }
