@@ -100,8 +100,7 @@ bool job_lacks(const struct job *job)
         const struct study_point *point = &job->points.items[k];
         for (size_t m = 0; m < point->member_count; m++)
             lacks = lacks || point->members[m].outcome == OUTCOME_LEFT_OUT;
-        lacks = lacks || (!point->member_count && (point->outcome == OUTCOME_LEFT_OUT ||
-                                                   point->outcome == OUTCOME_LATE));
+        lacks = lacks || (!point->member_count && point->outcome == OUTCOME_LEFT_OUT);
     }
     return lacks;
 }

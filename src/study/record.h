@@ -10,9 +10,9 @@
 char *record_path(const struct study_point *point, const char *directory, int repeat,
                   const char *suffix);
 
-/* Whether the run is there; then *outcome and cause of the point are its own. One that was late counts
- * only if it had at least as much time as `limit`, s. */
-bool record_load(struct study_point *point, const char *directory, int repeat, double limit);
+/* Whether the run is there; then *outcome and cause of the point are its own, and *had the time that it had, s.
+ * One that was late counts only if that was at least `limit`. */
+bool record_load(struct study_point *point, const char *directory, int repeat, double limit, double *had);
 
 /* Runs the point for the `repeat`th time. STATUS_RUN, STATUS_OUTPUT, STATUS_INTERRUPTED; that the run
  * itself fails is an outcome. */

@@ -71,26 +71,28 @@ static bool is_wanted(const struct schedule *s, const struct study_point *point,
 /* Makes a run, or finds it. Nothing is made once a run of the point failed. */
 static enum status turn(struct schedule *s, struct study_point *point, int repeat, struct error *e)
 {
-    double left = time_left(s), limit = fmin(s->study->limit, left), needs = predict(s, point);
+    double left = time_left(s), limit = fmin(s->study->limit, left), needs = predict(s, point), had = limit;
     if (!is_wanted(s, point, repeat))
         return STATUS_OK;
-    if (!record_load(point, s->directory, repeat, limit)) {
+    if (!record_load(point, s->directory, repeat, limit, &had)) {
         if (left <= 0 || needs > left) {
             if (repeat == 0)
                 leave_out(point, needs, left);
             return STATUS_OK;
         }
+        had = limit;
         if (record_make(point, s->directory, repeat, limit, e))
             return e->status;
-        if (point->outcome == OUTCOME_LATE && limit < s->study->limit)
-            snprintf(point->cause, sizeof point->cause,
-                     "took longer than the %.3g s of the budget that were left", limit);
+    }
+    if (point->outcome == OUTCOME_LATE && had < s->study->limit) { /* that is no fault of the run */
+        point->outcome = OUTCOME_LEFT_OUT;
+        snprintf(point->cause, sizeof point->cause, "took longer than the %.3g s of the budget that were left", had);
     }
     if (point->outcome == OUTCOME_DONE)
         return record_times(point, s->directory, repeat, e);
     if (repeat == 0) {
         log_info("%s: %s", point->folder, point->cause);
-    } else if (point->outcome == OUTCOME_LATE) { /* the first was not; a repeat less is no failure */
+    } else if (point->outcome == OUTCOME_LATE || point->outcome == OUTCOME_LEFT_OUT) { /* the first was not; a repeat less is no failure */
         point->outcome = OUTCOME_DONE;
         point->cause[0] = 0;
     }
