@@ -22,8 +22,8 @@ bool study_is_disturbed(const struct study_point *point, int repeat)
         calm = fmin(calm, point->wall[k] / point->cpu[k]);
     if (wall > DISTURBED * least(point->wall, point->repeats))
         return true;
-    /* it waited for a processor: on one thread solving cannot take more than the process's own time */
-    return (cpu > 0 && wall / cpu > DISTURBED * calm) || (point->threads == 1 && wall > DISTURBED * cpu);
+    /* it waited for a processor: solving takes at least a thread's time all along */
+    return cpu > 0 && (wall / cpu > DISTURBED * calm || wall > DISTURBED * cpu);
 }
 
 int study_calm(const struct study_point *point)

@@ -48,6 +48,7 @@ static void write_tables(const struct study_results *all, size_t count, FILE *ou
     write_outcomes(all, count, out);
     fputs("Bold: more than asked. ~: every run waited for others on the machine.\n\n", out);
     summary_errors(all, count, out);
+    summary_limits(all, count, out);
     for (size_t k = 0; k < count; k++)
         summary_times(&all[k], out);
 }

@@ -13,6 +13,7 @@ enum status study_summary(const struct study_results *all, size_t count, const c
 /* Its parts; each writes nothing where there is nothing. Values are of the rung that changes nothing of the
  * scene, else of the finest; bold is more than asked. */
 void summary_errors(const struct study_results *all, size_t count, FILE *out);
+void summary_limits(const struct study_results *all, size_t count, FILE *out);
 void summary_settings(const struct study_results *all, size_t count, FILE *out);
 void summary_times(const struct study_results *results, FILE *out);
 
