@@ -118,6 +118,7 @@ study: all
 	$(PROGRAM) study studies/validation/*.json -o out/validation --budget 12m
 	$(PROGRAM) study studies/settings/*.json -o out/settings --budget 6m
 	$(PROGRAM) study studies/seeds/*.json -o out/seeds --budget 4m
+	$(PROGRAM) study studies/bench/dambreak.json -o out/bench --budget 1m
 	$(PROGRAM) study --stability studies/stability/*.json -o out/stability --budget 6m
 	@tools/readme-figures
 

@@ -172,8 +172,8 @@ static enum status summarize(const struct request *r, struct job *jobs, struct e
     struct study_results all[STUDIES_MAX];
     for (size_t k = 0; k < r->count; k++)
         all[k] = job_results(&jobs[k]);
-    return r->stability     ? map_index(all, r->count, r->directory, e)
-           : r->count > 1 ? study_summary(all, r->count, r->directory, e) : STATUS_OK;
+    return r->stability ? map_index(all, r->count, r->directory, e)
+                        : study_summary(all, r->count, r->directory, e);
 }
 
 /* Errors before times: each point once, in all studies, then what a study's share of the budget left out. */

@@ -32,6 +32,8 @@ static void write_seconds(double seconds, bool calm, FILE *out)
 static void write_head(const struct study_results *results, const struct study_ladder *ladder, FILE *out)
 {
     text_markdown(results->study->title, out);
+    if (results->study->ladder_count > 1)
+        fprintf(out, ", ladder %s", ladder->name);
     fputs(": wall time, s", out);
     if (ladder->steps > 0)
         fprintf(out, ", for %.0f steps, in proportion from those of the run", ladder->steps);
