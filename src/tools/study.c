@@ -179,13 +179,18 @@ static enum status summarize(const struct request *r, struct job *jobs, struct e
 /* Errors before times: each point once, in all studies, then what a study's share of the budget left out. */
 static enum status run_once(const struct request *r, struct job *jobs, double start, struct error *e)
 {
-    for (int again = 0; again < 2; again++)
+    for (int again = 0; again < 2; again++) {
+        size_t lack = 0;
+        for (size_t k = 0; k < r->count; k++)
+            lack += !again || job_lacks(&jobs[k]);
         for (size_t k = 0; k < r->count; k++) {
             double left = r->budget - (clock_seconds() - start);
-            double share = again ? left : left / (double)(r->count - k);
-            if ((!again || job_lacks(&jobs[k])) && job_run(&jobs[k], 1, share, e))
+            if (again && !job_lacks(&jobs[k]))
+                continue;
+            if (job_run(&jobs[k], 1, left / (double)lack--, e)) /* none takes what others lack, too */
                 return e->status;
         }
+    }
     return STATUS_OK;
 }
 
