@@ -111,7 +111,8 @@ validate: all
 	@mkdir -p out
 	$(PROGRAM) study studies/validation/*.json -o out/validation
 
-# The figures and tables of the README, within half an hour on two quiet cores; what is in out/ is not run again.
+# The figures and tables of the README, within half an hour on two quiet cores; what this build has
+# left in out/ is not run again.
 study: all
 	@tools/install-deps study
 	@mkdir -p out
