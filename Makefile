@@ -116,11 +116,11 @@ validate: all
 study: all
 	@tools/install-deps study
 	@mkdir -p out
-	$(PROGRAM) study studies/validation/*.json -o out/validation --budget 12m
+	$(PROGRAM) study studies/validation/*.json -o out/validation --budget 13m
 	$(PROGRAM) study studies/settings/*.json -o out/settings --budget 6m
 	$(PROGRAM) study studies/seeds/*.json -o out/seeds --budget 4m
 	$(PROGRAM) study studies/bench/dambreak.json -o out/bench --budget 1m
-	$(PROGRAM) study --stability studies/stability/*.json -o out/stability --budget 6m
+	$(PROGRAM) study --stability studies/stability/*.json -o out/stability --budget 5m
 	@tools/readme-figures
 
 bench: all

@@ -238,6 +238,8 @@ static void seeds_are_joined(void **state)
     ensemble_join(&joint);
     assert_int_equal(joint.outcome, OUTCOME_DONE);
     assert_int_equal(study_error(&joint, "of chance")->runs, 3);
+    text_found(study_error(&joint, "of chance"), text, sizeof text);
+    assert_string_equal(text, "2.33 ± 1.5 % (3 of 4 seeds)");
     members[2].outcome = OUTCOME_STOPPED; /* one that failed is not outvoted */
     strcpy(members[2].cause, "too fast");
     ensemble_join(&joint);

@@ -56,6 +56,7 @@ static void join_errors(struct study_point *point, const struct study_error *of)
     double sum = 0, sizes = 0, squares = 0;
     *joint = *of;
     joint->runs = 0;
+    joint->seeds = (int)point->member_count;
     joint->least = INFINITY;
     joint->most = 0;
     for (size_t k = 0; k < point->member_count; k++) {
