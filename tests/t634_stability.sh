@@ -42,6 +42,11 @@ if command -v gnuplot >/dev/null; then
     result $? "so are the figures, without a word of gnuplot"
 fi
 
+grep -q '<title>Stability maps</title>' "$work/stiff/index.html" &&
+    grep -q '^| It.s stiff | 2, 1, 1, 0, 0 |$\|^| It.s stiff | 1, 1, 2, 0, 0 |$' "$work/stiff/summary.md" &&
+    ! grep -qE '(src|href)="?(https?:|/|\.)' "$work/stiff/index.html"
+result $? "a page and a table are there, and ask for no other file"
+
 cp "$work/stiff/stability.csv" "$work/before.csv"
 find "$work/stiff/runs" -name '*.end' | sort | xargs stat -c '%n %Y %i' >"$work/ends"
 "$SPH" study -q --stability "$work/stiff.json" -o "$work/stiff" >"$work/out" 2>&1

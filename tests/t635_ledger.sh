@@ -6,7 +6,7 @@ cat >"$work/scene.json" <<'J'
   "particles": {"spacing": 0.05}, "fluids": [{"density": 1000, "viscosity": 0}],
   "bodies": [{"shape": "box", "min": [0, 0, 0], "max": [0.25, 0.25, 0.5]}],
   "solver": {"method": "wcsph", "artificial_viscosity": 0, "diffusion": 0},
-  "time": {"end": 0.2}, "movie": {"size": [64, 64], "fps": 20} }
+  "time": {"end": 0.2}, "movie": {"size": [320, 180], "fps": 20} }
 J
 ledger() { # DIRECTORY ARGUMENTS...
     directory=$1
@@ -21,6 +21,13 @@ ledger plain >"$work/out" 2>&1
 result $? "a ledger is made"
 tail -n +1 "$work/plain/ledger.md" | cmp - "$work/out" >/dev/null
 result $? "its table is on standard output, too"
+for name in surface occlusion shadow outline "scale bar" axes labels; do
+    row plain "$name" '.kind == "left out" and .off_state == "same" and .on_state == "same" and .proved and
+        .without > 0 and (.changes_pictures or .name == "occlusion")'
+    result $? "$name: without it pictures are the same, with it the state"
+done
+row plain legend '.kind == "used"'
+result $? "a look that the scene uses is no row"
 jq -e '[.features[] | select(.kind == "left out") | .proved] | length >= 12 and all' \
     "$work/plain/ledger.json" >>"$work/out"
 result $? "the absence of everything left out is proved"
@@ -61,5 +68,9 @@ refused() { # NAME PATTERN ARGUMENTS...
 }
 sed 's/"density"/"dnsity"/' "$work/scene.json" >"$work/bad.json"
 refused "a bad scene is told by its place" 'bad.json:2:[0-9]*:.*density' --ledger "$work/bad.json"
+sed 's/"max": \[0.25, 0.25, 0.5\]/"max": [0.01, 0.01, 0.01]/' "$work/scene.json" >"$work/empty.json"
+refused "a scene without particles is refused" 'empty.json:.*particle' --ledger "$work/empty.json"
+sed 's/{"shape": "box".*}\]/]/' "$work/scene.json" >"$work/bodiless.json"
+refused "so is one without bodies" 'bodiless.json.*\(particle\|bod\)' --ledger "$work/bodiless.json"
 refused "--set is of ledgers" 'are of --ledger' --set a=1 studies/free-fall.json
 echo "1..$n"

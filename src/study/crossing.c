@@ -27,7 +27,7 @@ static size_t front_of(const struct curve *curve, double *times, double *errors)
     size_t count = 0;
     for (size_t k = 0; k < curve->points->count && count < CURVE_MOST; k++) {
         const struct study_point *p = &curve->points->items[k];
-        double t = study_wall(p), error = study_error_size(p, curve->plot);
+        double t = study_wall(p), error = study_error_size(p, curve->error);
         if (p->ladder != curve->ladder || p->method != curve->method || isnan(error) || !(t > 0))
             continue;
         size_t i = count++;

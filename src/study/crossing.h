@@ -17,12 +17,12 @@ struct crossing {
     double value; /* s, or an error */
 };
 
-/* One method on one ladder, and an error by its place. */
+/* One method on one ladder, and the name of an error. */
 struct curve {
     const struct study_points *points;
     const struct study_ladder *ladder;
     const struct study_method *method;
-    size_t plot;
+    const char *error;
 };
 
 /* The least wall time by which |error| is at most `error`. */

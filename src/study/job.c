@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 #include "study/map/map.h"
+#include "study/record.h"
 #include "study/schedule.h"
 
 #include <time.h>
@@ -27,17 +28,28 @@ static enum status check_plots(const struct study *study, const struct study_poi
     for (size_t k = 0; k < points->count; k++)
         any = any || points->items[k].errors.count;
     for (size_t k = 0; k < study->plot_count && any; k++)
-        if (study_error_place(points, study->plots[k]) < 0)
+        if (!study_error_known(points, study->plots[k]))
             return error_set(e, STATUS_USAGE, "%s: \"plot\" names \"%s\", but there is no such error; "
                              "results.csv has their names", study->path, study->plots[k]);
     return STATUS_OK;
 }
 
-void about_date(struct study_about *about)
+void about_date(struct study_about *about, time_t when)
 {
-    time_t now = time(NULL);
     struct tm parts;
-    strftime(about->date, sizeof about->date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &parts));
+    strftime(about->date, sizeof about->date, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&when, &parts));
+}
+
+/* The time of the last of the first runs: what is found again was not measured now. */
+static void date_runs(struct job *job)
+{
+    time_t last = 0;
+    for (size_t k = 0; k < job->points.count; k++) {
+        const struct study_point *point = &job->points.items[k];
+        time_t made = record_time(point->member_count ? &point->members[0] : point, job->directory);
+        last = made > last ? made : last;
+    }
+    about_date(&job->about, last ? last : time(NULL));
 }
 
 static enum status write_map(const struct study_results *results, struct error *e)
@@ -66,18 +78,39 @@ enum status job_open(struct job *job, const char *study, const char *directory, 
     return study_points_create(&job->points, &job->study, e);
 }
 
-enum status job_run(struct job *job, double budget, struct error *e)
+enum status job_run(struct job *job, int repeats, double budget, struct error *e)
 {
-    struct study_results results = job_results(job);
-    if (output_make_directories(job->directory, e) ||
-        output_claim(&job->claim, job->directory, e))
+    if (job->claim.file < 0 && (output_make_directories(job->directory, e) ||
+                              output_claim(&job->claim, job->directory, e)))
         return e->status;
-    about_date(&job->about);
-    job->about.speed[0] = machine_speed();
-    if (study_run(&job->study, &job->points, job->directory, budget, e) ||
-        study_judge(&job->study, &job->points, job->directory, e))
+    if (!(job->about.speed[0] > 0))
+        job->about.speed[0] = machine_speed();
+    if (repeats == 0 || repeats > job->study.repeats)
+        repeats = job->study.repeats;
+    if (study_run(&job->study, &job->points, job->directory, repeats, budget, e))
         return e->status;
     job->about.speed[1] = machine_speed();
+    return STATUS_OK;
+}
+
+bool job_lacks(const struct job *job)
+{
+    bool lacks = false;
+    for (size_t k = 0; k < job->points.count; k++) {
+        const struct study_point *point = &job->points.items[k];
+        for (size_t m = 0; m < point->member_count; m++)
+            lacks = lacks || point->members[m].outcome == OUTCOME_LEFT_OUT;
+        lacks = lacks || (!point->member_count && point->outcome == OUTCOME_LEFT_OUT);
+    }
+    return lacks;
+}
+
+enum status job_write(struct job *job, struct error *e)
+{
+    struct study_results results = job_results(job);
+    if (study_judge(&job->study, &job->points, job->directory, e))
+        return e->status;
+    date_runs(job);
     if (job->study.is_map)
         return write_map(&results, e);
     if (study_write(&results, e))

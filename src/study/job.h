@@ -5,6 +5,8 @@
 #include "base/output.h"
 #include "study/products/products.h"
 
+#include <time.h>
+
 struct job {
     struct study study;
     struct study_points points;
@@ -19,16 +21,22 @@ struct job {
 enum status job_open(struct job *job, const char *study, const char *directory, const char *command,
                      int repeats, struct error *e);
 
-/* Claims the directory, runs what it does not have yet as far as the budget goes (s, or INFINITY), and
- * writes tables and figures. STATUS_OUTPUT, STATUS_INTERRUPTED, STATUS_RUN; STATUS_USAGE when figures
- * are asked for that cannot be. */
-enum status job_run(struct job *job, double budget, struct error *e);
+/* Claims the directory and runs what it does not have yet as far as the budget goes (s, or INFINITY), at most
+ * `repeats` times each (0: as the study says). STATUS_OUTPUT, STATUS_INTERRUPTED, STATUS_RUN. */
+enum status job_run(struct job *job, int repeats, double budget, struct error *e);
+
+/* Whether the last call left something out. */
+bool job_lacks(const struct job *job);
+
+/* Judges what ran, and writes tables and figures. STATUS_OUTPUT, STATUS_RUN; STATUS_USAGE when figures are
+ * asked for that cannot be. */
+enum status job_write(struct job *job, struct error *e);
 void job_close(struct job *job);
 
 /* For products of several jobs. */
 struct study_results job_results(struct job *job);
 
-/* The present time. */
-void about_date(struct study_about *about);
+/* When something was measured. */
+void about_date(struct study_about *about, time_t when);
 
 #endif

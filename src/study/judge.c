@@ -1,5 +1,6 @@
 /* What a run did and how far it is from its references. */
 #include "base/log.h"
+#include "study/ensemble.h"
 #include "study/reference/formula.h"
 #include "study/record.h"
 #include "study/report_read.h"
@@ -245,9 +246,16 @@ enum status study_judge(const struct study *study, struct study_points *points,
         has = !status;
         free(path);
     }
-    for (size_t k = 0; k < points->count && !status; k++)
-        if (points->items[k].repeats > 0)
-            status = judge_point(study, &points->items[k], directory, has ? &reference : NULL, e);
+    for (size_t k = 0; k < points->count && !status; k++) {
+        struct study_point *point = &points->items[k], *members = point->members;
+        size_t count = members ? point->member_count : 1;
+        for (size_t m = 0; m < count && !status; m++) {
+            struct study_point *run = members ? &members[m] : point;
+            if (run->repeats > 0)
+                status = judge_point(study, run, directory, has ? &reference : NULL, e);
+        }
+        ensemble_join(point);
+    }
     columns_free(&reference);
     return status;
 }

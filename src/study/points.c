@@ -4,6 +4,7 @@
 #include "particles/fill.h"
 #include "run/measure.h"
 #include "run/run.h"
+#include "study/ensemble.h"
 #include "study/set.h"
 
 #include <ctype.h>
@@ -173,9 +174,10 @@ static enum status apply(struct study_point *point, const struct study *study,
     return status;
 }
 
+/* `member`: of the point's ensemble; 0: the scene's own seeds. */
 static enum status point_create(struct study_point *point, const struct study *study,
                                 const struct study_set *rung, const struct study_method *method,
-                                struct error *e)
+                                size_t member, struct error *e)
 {
     struct study_set set = {0};
     struct run_options options = {.backend = "auto", .renderer = "auto", .isa = "auto"};
@@ -184,6 +186,8 @@ static enum status point_create(struct study_point *point, const struct study *s
     enum status status = apply(point, study, rung, method, &set, e);
     if (!status && study->known)
         status = case_check(study->known, point->scene, e);
+    if (!status && study->seeds > 1)
+        status = ensemble_seed(&set, point->scene, member, e);
     if (!status)
         status = set_products(study, point->scene, &set, e);
     if (!status)
@@ -199,6 +203,27 @@ static enum status point_create(struct study_point *point, const struct study *s
     return name_folder(point, method ? method->name : "reference", e);
 }
 
+/* One for each seed, if the study has several. */
+static enum status members_create(struct study_point *point, const struct study *study,
+                                  struct error *e)
+{
+    size_t count = study->seeds > 1 ? (size_t)study->seeds : 0;
+    if (!count)
+        return STATUS_OK;
+    point->members = memory_create("study seeds", count, sizeof *point->members, e);
+    if (!point->members)
+        return e->status;
+    while (point->member_count < count) {
+        struct study_point *member = &point->members[point->member_count++];
+        *member = (struct study_point){.ladder = point->ladder, .rung = point->rung,
+                                       .method = point->method};
+        if (point_create(member, study, &point->ladder->rungs[point->rung], point->method,
+                         point->member_count - 1, e))
+            return e->status;
+    }
+    return STATUS_OK;
+}
+
 enum status study_points_create(struct study_points *points, const struct study *study,
                                 struct error *e)
 {
@@ -210,7 +235,7 @@ enum status study_points_create(struct study_points *points, const struct study 
     if (!points->items)
         return e->status;
     if (study->reference.count > 0 &&
-        point_create(&points->items[points->count++], study, &study->reference, NULL, e))
+        point_create(&points->items[points->count++], study, &study->reference, NULL, 0, e))
         return e->status;
     for (size_t l = 0; l < study->ladder_count; l++)
         for (size_t rung = 0; rung < study->ladders[l].count; rung++)
@@ -218,59 +243,28 @@ enum status study_points_create(struct study_points *points, const struct study 
                 struct study_point *point = &points->items[points->count++];
                 *point = (struct study_point){.ladder = &study->ladders[l], .rung = rung,
                                               .method = &study->methods[m]};
-                if (point_create(point, study, &point->ladder->rungs[rung], point->method, e))
+                if (point_create(point, study, &point->ladder->rungs[rung], point->method, 0, e) ||
+                    members_create(point, study, e))
                     return e->status;
             }
     return STATUS_OK;
 }
 
+static void point_free(struct study_point *point)
+{
+    for (size_t k = 0; k < point->member_count; k++)
+        point_free(&point->members[k]);
+    memory_free(point->members);
+    scene_free(point->scene);
+    free(point->folder);
+}
+
 void study_points_free(struct study_points *points)
 {
-    for (size_t k = 0; k < points->count; k++) {
-        scene_free(points->items[k].scene);
-        free(points->items[k].folder);
-    }
+    for (size_t k = 0; k < points->count; k++)
+        point_free(&points->items[k]);
     memory_free(points->items);
     *points = (struct study_points){0};
-}
-
-static double least(const double *values, int count)
-{
-    double value = (double)NAN;
-    for (int k = 0; k < count; k++)
-        value = fmin(value, values[k]);
-    return value;
-}
-
-double study_wall(const struct study_point *point)
-{
-    return least(point->wall, point->repeats);
-}
-
-double study_cpu(const struct study_point *point)
-{
-    return least(point->cpu, point->repeats);
-}
-
-double study_wall_median(const struct study_point *point)
-{
-    double sorted[STUDY_REPEATS_MAX];
-    int count = point->repeats;
-    if (count == 0)
-        return (double)NAN;
-    memcpy(sorted, point->wall, (size_t)count * sizeof *sorted);
-    for (int i = 1; i < count; i++)
-        for (int j = i; j > 0 && sorted[j - 1] > sorted[j]; j--) {
-            double swap = sorted[j];
-            sorted[j] = sorted[j - 1];
-            sorted[j - 1] = swap;
-        }
-    return (sorted[(count - 1) / 2] + sorted[count / 2]) / 2;
-}
-
-double study_pairs(const struct study_point *point)
-{
-    return point->repeats > 0 && point->pairs > 0 ? point->pairs : (double)NAN;
 }
 
 /* Hash of the scene as the study has it, with a method's settings or without. */

@@ -36,6 +36,44 @@ static enum status read_figure(struct reading *r, int object, enum ladder_figure
                ? STATUS_OK : reading_fail(r, node, "give \"work-precision\" or \"time\"");
 }
 
+/* {"name": "theirs", "seconds": [1, 2.5, null]} */
+static enum status read_other(struct reading *r, int node, const struct study_ladder *ladder,
+                              struct study_other *other)
+{
+    int list;
+    if (r->doc.nodes[node].kind != JSON_OBJECT)
+        return reading_fail(r, node, "give an object such as {\"name\": \"theirs\", \"seconds\": [1, 2.5, null]}");
+    if (read_only(&r->doc, node, "name|seconds", r->e) ||
+        read_text(&r->doc, node, "name", true, other->name, sizeof other->name, r->e) ||
+        read_member(&r->doc, node, "seconds", JSON_ARRAY, true, &list, r->e))
+        return r->e->status;
+    if ((size_t)r->doc.nodes[list].size != ladder->count)
+        return reading_fail(r, list, "give a time in s for each rung, or null");
+    other->seconds = calloc(ladder->count, sizeof *other->seconds);
+    for (size_t k = 0; k < ladder->count && other->seconds; k++) {
+        const struct json_node *value = &r->doc.nodes[set_value_at(&r->doc, list, k)];
+        if (value->kind != JSON_NUMBER && value->kind != JSON_NULL)
+            return reading_fail(r, list, "give a time in s for each rung, or null");
+        other->seconds[k] = value->kind == JSON_NUMBER ? strtod(r->doc.text + value->start, NULL) : (double)NAN;
+    }
+    return other->seconds ? STATUS_OK : reading_memory(r);
+}
+
+static enum status read_others(struct reading *r, int node, struct study_ladder *ladder)
+{
+    int list;
+    if (read_member(&r->doc, node, "others", JSON_ARRAY, false, &list, r->e) || list < 0)
+        return r->e->status;
+    size_t count = (size_t)r->doc.nodes[list].size;
+    ladder->others = calloc(count + 1, sizeof *ladder->others);
+    if (!ladder->others)
+        return reading_memory(r);
+    for (size_t k = 0; k < count; k++)
+        if (read_other(r, set_value_at(&r->doc, list, k), ladder, &ladder->others[ladder->other_count++]))
+            return r->e->status;
+    return STATUS_OK;
+}
+
 static enum status read_ladder(struct reading *r, int node, struct study_ladder *ladder)
 {
     struct set_lists lists;
@@ -43,7 +81,9 @@ static enum status read_ladder(struct reading *r, int node, struct study_ladder 
     if (r->doc.nodes[node].kind != JSON_OBJECT)
         return reading_fail(r, node, "give an object such as {\"name\": \"resolution\", \"set\": "
                              "{\"particles.spacing\": [0.02, 0.01]}}");
-    if (read_only(&r->doc, node, "name|set|figure", r->e) ||
+    ladder->steps = (double)NAN;
+    if (read_only(&r->doc, node, "name|set|figure|steps|others", r->e) ||
+        read_number(&r->doc, node, "steps", 1, 1e9, &ladder->steps, r->e) ||
         read_figure(r, node, &ladder->figure) ||
         read_text(&r->doc, node, "name", true, ladder->name, sizeof ladder->name, r->e) ||
         reading_lists(r, node, "set", true, &lists))
@@ -56,7 +96,9 @@ static enum status read_ladder(struct reading *r, int node, struct study_ladder 
     if (!ladder->rungs || !ladder->labels)
         return reading_memory(r);
     ladder->count = count;
-    return fill_rungs(r, &lists, ladder);
+    if (fill_rungs(r, &lists, ladder))
+        return r->e->status;
+    return read_others(r, node, ladder);
 }
 
 /* The cell's settings are those of its column and row. */
@@ -121,6 +163,7 @@ enum status read_ladders(struct reading *r)
     if (list < 0) {
         struct study_ladder *one = &study->ladders[study->ladder_count++];
         strcpy(one->name, "methods");
+        one->steps = (double)NAN;
         one->rungs = calloc(1, sizeof *one->rungs);
         one->labels = calloc(1, sizeof *one->labels);
         one->count = one->rungs && one->labels;

@@ -23,10 +23,9 @@ char *record_path(const struct study_point *point, const char *directory, int re
     return path;
 }
 
-bool record_load(struct study_point *point, const char *directory, int repeat, double limit)
+bool record_load(struct study_point *point, const char *directory, int repeat, double limit, double *had)
 {
     int outcome, length = 0;
-    double had;
     char line[sizeof point->cause + 64] = "";
     char *path = record_path(point, directory, repeat, "end");
     FILE *file = path ? fopen(path, "r") : NULL;
@@ -36,13 +35,23 @@ bool record_load(struct study_point *point, const char *directory, int repeat, d
     size_t size = fread(line, 1, sizeof line - 1, file);
     line[size] = 0;
     fclose(file);
-    if (sscanf(line, "%d %lf %n", &outcome, &had, &length) < 2 ||
-        (outcome == OUTCOME_LATE && had < limit))
+    if (sscanf(line, "%d %lf %n", &outcome, had, &length) < 2 ||
+        (outcome == OUTCOME_LATE && *had < limit))
         return false;
     point->outcome = (enum outcome)outcome;
     snprintf(point->cause, sizeof point->cause, "%s", line + length);
     point->cause[strcspn(point->cause, "\n")] = 0;
     return true;
+}
+
+time_t record_time(const struct study_point *point, const char *directory)
+{
+    struct stat about = {.st_mtime = 0};
+    char *path = record_path(point, directory, 0, "end");
+    if (path && stat(path, &about))
+        about.st_mtime = 0;
+    free(path);
+    return about.st_mtime;
 }
 
 /* The last line that the run said, without the program's name. */

@@ -4,10 +4,11 @@
 
 #include "study/study.h"
 
-/* Runs every point that the directory does not have yet: the first of all, small to large, then the
- * repeats in turns. A point is left out when what is left of the budget (s, INFINITY for none) would
- * not do. Fills outcomes, causes and times of all points. STATUS_OUTPUT, STATUS_INTERRUPTED. */
-enum status study_run(const struct study *study, struct study_points *points,
-                      const char *directory, double budget, struct error *e);
+/* Runs every point, or each of its seeds, that the directory does not have yet: the first of all, small to
+ * large, then the repeats in turns, then again what was disturbed, at most once more for each repeat. A point
+ * is left out when what is left of the budget (s, INFINITY for none) would not do. Fills outcomes, causes and
+ * times of all points, anew at each call. STATUS_OUTPUT, STATUS_INTERRUPTED. */
+enum status study_run(const struct study *study, struct study_points *points, const char *directory,
+                      int repeats, double budget, struct error *e);
 
 #endif

@@ -1,7 +1,8 @@
 /* A study: one scene over methods and ladders of settings, and what each run errs and takes.
  *
  * read (study_read.c, read_*.c) -> points, each with its scene (points.c) -> runs by child processes, in turns
- * (schedule.c) -> errors (judge.c) -> orders, fronts (analyse.c) -> tables and figures (products/); job.c does it all */
+ * (schedule.c) -> errors (judge.c), joined over seeds (ensemble.c) -> orders, fronts (analyse.c) -> tables and
+ * figures (products/); job.c does it all */
 #ifndef STUDY_STUDY_H
 #define STUDY_STUDY_H
 
@@ -14,7 +15,8 @@
 /* A run that takes longer is not made again, s: the machine's noise has averaged out in it. */
 #define REPEAT_LONGEST 20.0
 
-enum { STUDY_REPEATS_MAX = 64, STUDY_NAME_SIZE = 96 };
+/* Disturbed repeats are made again, so there may be twice as many runs. */
+enum { STUDY_REPEATS_MAX = 64, STUDY_RUNS_MAX = 128, STUDY_SEEDS_MAX = 64, STUDY_NAME_SIZE = 96 };
 
 /* Settings of scene keys, as scene_overrides has them; labels say where the study has them. */
 struct study_set {
@@ -35,6 +37,12 @@ enum ladder_figure {
     LADDER_TIME     /* the key's value, and time */
 };
 
+/* Times of another program, as published or measured before: what to compare with. */
+struct study_other {
+    char name[STUDY_NAME_SIZE];
+    double *seconds;             /* at each rung; NAN: not known */
+};
+
 /* A family of points along each curve; never mixed with another in a figure. */
 struct study_ladder {
     char name[STUDY_NAME_SIZE];  /* "resolution" */
@@ -43,6 +51,9 @@ struct study_ladder {
     char (*labels)[32];          /* of the rungs: the key's values */
     size_t count;
     enum ladder_figure figure;
+    double steps;                /* times in its table are for so many steps; NAN: for the whole run */
+    struct study_other *others;
+    size_t other_count;
 };
 
 enum reference_kind {
@@ -88,6 +99,7 @@ struct study {
     struct study_ladder map[2];   /* x and y of a stability map; then there is one ladder, of its cells, */
     bool is_map;                  /* rung y * map[0].count + x */
     int repeats;                  /* runs of each point, but for those longer than REPEAT_LONGEST */
+    int seeds;                    /* 1; more: each point is the mean of runs from so many seeds */
     double limit;                 /* s, of one run; INFINITY */
 };
 
@@ -119,12 +131,14 @@ struct study_point {
     enum outcome outcome;
     char cause[400];              /* of what is not done */
     int repeats;                  /* made */
-    double wall[STUDY_REPEATS_MAX], cpu[STUDY_REPEATS_MAX]; /* s, of solving; of the process */
+    double wall[STUDY_RUNS_MAX], cpu[STUDY_RUNS_MAX]; /* s, of solving; of the process */
     double particles, steps, rejected, dt, pairs, iterations, bytes; /* dt: mean, s; iterations: a step */
     double energy_drift, momentum_drift; /* parts; NAN: not measured, or not kept by nature */
     double leak;                  /* m that a particle was outside of the domain at a row, at most */
     char hash[17];                /* of the last state */
     struct study_errors errors;
+    struct study_point *members;  /* the same from each seed, which are run instead of it; it joins them: */
+    size_t member_count;          /* counts and last state are the first member's; 0: it is run itself */
 };
 
 struct study_points {
@@ -137,12 +151,17 @@ enum status study_points_create(struct study_points *points, const struct study 
                                 struct error *e);
 void study_points_free(struct study_points *points);
 
-/* The least of the repeats' times, s; NAN without. */
+/* Whether that repeat's time is more than a tenth above what the others, or its processor time, say. */
+bool study_is_disturbed(const struct study_point *point, int repeat);
+int study_calm(const struct study_point *point); /* repeats that are not */
+
+/* The least of the repeats' times, and the median without the disturbed ones, s; NAN without. With seeds the
+ * mean of theirs. */
 double study_wall(const struct study_point *point);
 double study_cpu(const struct study_point *point);
 double study_wall_median(const struct study_point *point);
 
-/* Pairs that were evaluated, the cost that no noise is in; NAN without. */
+/* Pairs that were evaluated, the cost that no noise is in, with seeds the mean; NAN without. */
 double study_pairs(const struct study_point *point);
 
 /* The method whose settings are the scene's own, else the first; *own says which of the two. */
@@ -154,17 +173,27 @@ enum status study_default(const struct study *study, const struct study_method *
 enum status study_judge(const struct study *study, struct study_points *points,
                         const char *directory, struct error *e);
 
-/* |error| `plot` (place in errors.items) of a point that is done; else NAN. */
-double study_error_size(const struct study_point *point, size_t plot);
+/* The point's error of that name, or NULL; a NULL name has none. Errors are told by their names: a point
+ * that stopped early has fewer, and not in the same places. */
+const struct study_error *study_error(const struct study_point *point, const char *name);
+
+/* |error| of a point that is done; else NAN. */
+double study_error_size(const struct study_point *point, const char *error);
 
 /* p of error ~ d^p from the rung before to this one; NAN where the spacing does not change. */
-double study_order(const struct study_points *points, const struct study_point *point, size_t plot);
+double study_order(const struct study_points *points, const struct study_point *point,
+                   const char *error);
 
 /* Whether no other point of the ladder has less error for no more cost, or no more error for less. */
-bool study_is_front(const struct study_points *points, const struct study_point *point, size_t plot,
-                    double (*cost)(const struct study_point *));
+bool study_is_front(const struct study_points *points, const struct study_point *point,
+                    const char *error, double (*cost)(const struct study_point *));
 
-/* Place of the error of that name in what the points have, or -1. */
-long study_error_place(const struct study_points *points, const char *name);
+/* The errors of the point of the ladder (NULL: of any) that has the most of them, for their names; NULL
+ * when none has one. */
+const struct study_errors *study_most_errors(const struct study_points *points,
+                                             const struct study_ladder *ladder);
+
+/* The error of that name of some point, or NULL. */
+const struct study_error *study_error_known(const struct study_points *points, const char *name);
 
 #endif

@@ -65,19 +65,23 @@ static enum status read_study(struct reading *r)
     struct study *study = r->study;
     const struct json *doc = &r->doc;
     const struct variant *known = NULL;
-    double repeats = json_member(doc, 0, "map") < 0 ? 3 : 1;
+    double repeats = json_member(doc, 0, "map") < 0 ? 3 : 1, seeds = 1;
     if (read_only(doc, 0, "title|scene|case|measure|interval|errors|plot|floor|set|reference|methods|"
-                          "ladders|map|repeats|limit", r->e) ||
+                          "ladders|map|repeats|seeds|limit", r->e) ||
         read_text(doc, 0, "title", true, study->title, sizeof study->title, r->e) ||
         reading_path(r, 0, "scene", true, &study->scene) ||
         read_variant(doc, 0, "case", &case_table, &known, r->e) ||
         read_number(doc, 0, "interval", 1e-9, 1e9, &study->interval, r->e) ||
         read_number(doc, 0, "floor", 0, 1, &study->floor, r->e) ||
         read_number(doc, 0, "repeats", 1, STUDY_REPEATS_MAX, &repeats, r->e) ||
+        read_number(doc, 0, "seeds", 1, STUDY_SEEDS_MAX, &seeds, r->e) ||
         read_number(doc, 0, "limit", 1e-3, INFINITY, &study->limit, r->e))
         return r->e->status;
     study->known = (const struct case_row *)known;
     study->repeats = (int)repeats;
+    study->seeds = (int)seeds;
+    if (study->seeds > 1 && json_member(doc, 0, "map") >= 0)
+        return reading_fail(r, json_member(doc, 0, "seeds"), "a stability map has no \"seeds\"; leave it out");
     if (reading_set(r, 0, "set", &study->set) ||
         reading_set(r, 0, "reference", &study->reference) || read_errors(r) || read_methods(r))
         return r->e->status;
@@ -104,6 +108,9 @@ static void ladder_free(struct study_ladder *ladder)
 {
     for (size_t rung = 0; rung < ladder->count; rung++)
         set_free(&ladder->rungs[rung]);
+    for (size_t k = 0; k < ladder->other_count; k++)
+        free(ladder->others[k].seconds);
+    free(ladder->others);
     free(ladder->rungs);
     free(ladder->labels);
 }

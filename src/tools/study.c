@@ -4,6 +4,7 @@
 #include "base/quote.h"
 #include "study/job.h"
 #include "study/ledger/ledger.h"
+#include "study/map/index.h"
 #include "study/products/summary.h"
 #include "tools/tools.h"
 
@@ -14,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 enum { STUDIES_MAX = 64 };
 
@@ -124,7 +126,7 @@ static enum status run_ledger(const struct request *r, const char *path, const c
     how.scene = path;
     how.directory = directory;
     how.repeats = r->repeats ? r->repeats : 5;
-    about_date(&about);
+    about_date(&about, time(NULL));
     if (ledger_check(&how, e) || output_make_directories(directory, e) ||
         output_claim(&claim, directory, e))
         return e->status;
@@ -164,12 +166,32 @@ static enum status check_names(const struct request *r, struct error *e)
     return STATUS_OK;
 }
 
+/* What all have in common. */
 static enum status summarize(const struct request *r, struct job *jobs, struct error *e)
 {
     struct study_results all[STUDIES_MAX];
     for (size_t k = 0; k < r->count; k++)
         all[k] = job_results(&jobs[k]);
-    return study_summary(all, r->count, r->directory, e);
+    return r->stability ? map_index(all, r->count, r->directory, e)
+                        : study_summary(all, r->count, r->directory, e);
+}
+
+/* Errors before times: each point once, in all studies, then what a study's share of the budget left out. */
+static enum status run_once(const struct request *r, struct job *jobs, double start, struct error *e)
+{
+    for (int again = 0; again < 2; again++) {
+        size_t lack = 0;
+        for (size_t k = 0; k < r->count; k++)
+            lack += !again || job_lacks(&jobs[k]);
+        for (size_t k = 0; k < r->count; k++) {
+            double left = r->budget - (clock_seconds() - start);
+            if (again && !job_lacks(&jobs[k]))
+                continue;
+            if (job_run(&jobs[k], 1, left / (double)lack--, e)) /* none takes what others lack, too */
+                return e->status;
+        }
+    }
+    return STATUS_OK;
 }
 
 /* All are read before anything is run or written; those that are left share the budget that is. */
@@ -180,12 +202,14 @@ static enum status run_jobs(const struct request *r, struct job *jobs, struct er
         if (job_open(&jobs[k], r->studies[k], r->directories[k], r->command, r->repeats, e) ||
             check_kind(r, &jobs[k].study, e))
             return e->status;
+    if (isfinite(r->budget) && run_once(r, jobs, start, e))
+        return e->status;
     for (size_t k = 0; k < r->count; k++) {
         double left = r->budget - (clock_seconds() - start);
-        if (job_run(&jobs[k], left / (double)(r->count - k), e))
+        if (job_run(&jobs[k], 0, left / (double)(r->count - k), e) || job_write(&jobs[k], e))
             return e->status;
     }
-    return r->count > 1 && !r->stability ? summarize(r, jobs, e) : STATUS_OK;
+    return summarize(r, jobs, e);
 }
 
 static enum status run_studies(const struct request *r, struct error *e)

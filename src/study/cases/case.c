@@ -53,6 +53,11 @@ void study_error_add(struct study_errors *errors, double value, const char *unit
     va_end(args);
 }
 
+double study_error_amount(const struct study_error *error)
+{
+    return error->runs > 0 ? error->size : fabs(error->value);
+}
+
 void study_error_spread(struct study_errors *errors, double spread)
 {
     if (errors->count)

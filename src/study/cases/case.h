@@ -17,7 +17,12 @@ struct study_error {
     const char *unit; /* "%": a part of the reference, printed times 100; "m" ...; "" for none */
     double asked;     /* bound of |value| that is aimed at; NAN: none */
     double spread;    /* of the reference by experiments, as |value| would be; NAN: none */
+    int runs, seeds;  /* from different seeds, that `value` is the mean of, of so many; 0: it is of one run */
+    double size, deviation, least, most; /* of those: mean |value|, standard deviation, least and most |value| */
 };
+
+/* What counts as the error's size: |value|, of several runs the mean of theirs. */
+double study_error_amount(const struct study_error *error);
 
 struct study_errors {
     struct study_error items[ERRORS_MAX];

@@ -1,5 +1,5 @@
 /* The table of features that a scene can leave out. */
-#include "study/ledger/features.h"
+#include "study/ledger/looks.h"
 
 #include "base/quote.h"
 
@@ -141,6 +141,10 @@ static const struct variant *const rows[] = {
     &antuono.variant, &summation.variant, &shifting.variant, &tension.variant, &central.variant,
     &dissipation.variant, &buoyancy.variant, &fluids.variant, &walls.variant, &measures.variant,
     &drawing.variant, &vorticity.variant,
+    &look_surface.variant, &look_samples.variant, &look_occlusion.variant, &look_shadow.variant,
+    &look_outline.variant, &look_alpha.variant, &look_fade.variant, &look_box.variant, &look_floor.variant,
+    &look_legend.variant, &look_title.variant, &look_time.variant, &look_scale_bar.variant, &look_axes.variant,
+    &look_labels.variant,
 };
 
 const struct variant_table feature_table = {

@@ -26,7 +26,8 @@ struct feature_row {
     enum pass_id passes[4];   /* that it stands for; none of them may be in the plan */
     size_t pass_count;
     bool (*used)(const struct plan *plan);
-    const char *output;       /* of frames, not of steps: -o PATH below the ledger's directory, ... */
+    const char *output;       /* of frames, not of steps: -o PATH below the ledger's directory, ...; with settings it
+                                 is drawn with and without them, into that kind of output */
     const char *color;        /* ... with that color.by, or NULL */
     const char *phases;       /* ... and what the report calls its time: "draw|encode" */
 };

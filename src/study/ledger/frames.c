@@ -1,6 +1,7 @@
 /* Rows of a ledger that are about frames: runs of this program with and without an output. */
+#include "base/fnv.h"
 #include "study/ledger/ledger.h"
-
+#include "study/ledger/looks.h"
 #include "study/process.h"
 #include "study/report_read.h"
 
@@ -14,7 +15,8 @@ struct frames_run {
     double phases;     /* s, of the feature */
     double bytes;      /* at the most */
     double particles, frames;
-    char hash[17];
+    char hash[17];     /* of the last state */
+    uint64_t pictures; /* of what was said of all frames */
 };
 
 /* Sum of the report's times of the words "a|b". */
@@ -62,12 +64,38 @@ static void read_reason(const char *log, char *out, size_t size)
         fclose(file);
 }
 
+/* Of a file's bytes; 0 when it cannot be read. */
+static uint64_t file_hash(const char *path)
+{
+    char block[4096];
+    uint64_t hash = FNV_START;
+    size_t size;
+    FILE *file = fopen(path, "r");
+    while (file && (size = fread(block, 1, sizeof block, file)) > 0)
+        hash = fnv_bytes(hash, block, size);
+    if (file)
+        fclose(file);
+    return file ? hash : 0;
+}
+
+/* "KEY=VALUE KEY=VALUE" into arguments; copy holds them. */
+static void add_arguments(const char **argv, size_t *n, const char *settings, char *copy, size_t size)
+{
+    char *rest = copy, *item;
+    snprintf(copy, size, "%s", settings ? settings : "");
+    while ((item = strtok_r(rest, " ", &rest))) {
+        argv[(*n)++] = "--set";
+        argv[(*n)++] = item;
+    }
+}
+
 /* A run of the scene to `end` with LEDGER_FRAMES frames after the first into the output. */
 static enum status make_run(const struct ledger *ledger, const char *output, const char *color,
-                            const char *phases, double end, char *reason, size_t size,
+                            const char *settings, const char *phases, double end, char *reason, size_t size,
                             struct frames_run *run, struct error *e)
 {
     const struct ledger_options *o = ledger->options;
+    char copy[KEY_TEXT_SIZE];
     const char *argv[2 * LEDGER_SETS_MAX + 32] = {"sph-render", o->scene, "-q"};
     char report[4096], log[4096], ends[64], speed[64], threads[16];
     struct process_end ended;
@@ -85,6 +113,7 @@ static enum status make_run(const struct ledger *ledger, const char *output, con
                                 "movie.start=0", "-o", output, "--report", report, "--threads", threads};
     for (size_t k = 0; k < sizeof more / sizeof *more; k++)
         argv[n++] = more[k];
+    add_arguments(argv, &n, settings, copy, sizeof copy);
     if (color) {
         argv[n++] = "--color";
         argv[n++] = color;
@@ -92,10 +121,34 @@ static enum status make_run(const struct ledger *ledger, const char *output, con
     argv[n] = NULL;
     if (process_run(argv, log, INFINITY, &ended, e))
         return e->status;
+    run->pictures = file_hash(log); /* that of -o hash */
     if (!ended.code)
         return read_run(report, phases, run, e);
     snprintf(reason, size, "exit code %d", ended.code);
     read_reason(log, reason, size);
+    return STATUS_OK;
+}
+
+/* Drawn as the scene says, with the neutral value said, and with the feature. */
+static enum status measure_look(const struct ledger *ledger, struct ledger_row *row, double end, struct error *e)
+{
+    const struct feature_row *feature = row->feature;
+    struct frames_run plain, runs[2];
+    if (make_run(ledger, feature->output, NULL, NULL, feature->phases, end, row->reason, sizeof row->reason, &plain,
+                 e) || row->reason[0])
+        return e->status;
+    for (int k = 0; k < ledger->options->repeats; k++) {
+        for (int on = 0; on < 2; on++)
+            if (make_run(ledger, feature->output, NULL, feature->settings[on ? STRENGTH_ON : STRENGTH_OFF],
+                         feature->phases, end, row->reason, sizeof row->reason, &runs[on], e) || row->reason[0])
+                return e->status;
+        row->without = fmin(row->without, 1e9 / runs[0].particles / runs[0].frames * runs[0].phases);
+        row->with = fmin(row->with, 1e9 / runs[1].particles / runs[1].frames * runs[1].phases);
+    }
+    row->bytes = (runs[1].bytes - runs[0].bytes) / runs[1].particles;
+    row->states[STRENGTH_OFF] = plain.pictures == runs[0].pictures ? ANSWER_SAME : ANSWER_DIFFERENT;
+    row->states[STRENGTH_ON] = strcmp(plain.hash, runs[1].hash) == 0 ? ANSWER_SAME : ANSWER_DIFFERENT;
+    row->changes_pictures = plain.pictures != runs[1].pictures;
     return STATUS_OK;
 }
 
@@ -108,10 +161,12 @@ enum status ledger_frames(const struct ledger *ledger, struct ledger_row *row, d
     snprintf(folder, sizeof folder, "%s/frames", ledger->options->directory);
     snprintf(output, sizeof output, "%.4000s/%s", folder, feature->output);
     mkdir(folder, 0777); /* that it is not there is an error of the run */
+    if (feature_is_look(feature))
+        return measure_look(ledger, row, end, e);
     for (int k = 0; k < ledger->options->repeats; k++) {
-        if (make_run(ledger, "null", NULL, feature->phases, end, row->reason, sizeof row->reason, &off, e) ||
+        if (make_run(ledger, "null", NULL, NULL, feature->phases, end, row->reason, sizeof row->reason, &off, e) ||
             row->reason[0] ||
-            make_run(ledger, output, feature->color, feature->phases, end, row->reason,
+            make_run(ledger, output, feature->color, NULL, feature->phases, end, row->reason,
                      sizeof row->reason, &on, e) || row->reason[0])
             return e->status;
         double unit = 1e9 / on.particles / on.frames;

@@ -1,8 +1,10 @@
 /* Measures the rows of a ledger, the scene with and without each feature in turns. */
 #include "study/ledger/ledger.h"
+#include "study/ledger/looks.h"
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "particles/fill.h"
 #include "study/process.h"
 #include "study/ledger/trial.h"
 
@@ -80,6 +82,9 @@ enum status ledger_check(const struct ledger_options *options, struct error *e)
         status = scene_load(&scene, options->scene, &overrides, &run_vocabulary, e);
     if (!status)
         status = run_check(scene, &run, e);
+    if (!status && (!scene->body_count || fill_bodies_estimate(scene) < 1))
+        status = error_set(e, STATUS_USAGE, "%s: there are no particles, and a ledger is of costs per particle; "
+                           "give a body, or a smaller particles.spacing", options->scene);
     scene_free(scene);
     set_free(&set);
     return status;
@@ -251,6 +256,8 @@ void ledger_free(struct ledger *ledger)
 
 bool ledger_proved(const struct ledger_row *row)
 {
+    if (feature_is_look(row->feature)) /* pictures are the same without it, and the state is with it */
+        return row->states[STRENGTH_OFF] == ANSWER_SAME && row->states[STRENGTH_ON] == ANSWER_SAME;
     bool neutral = row->feature->output ? row->states[STRENGTH_ON] == ANSWER_SAME
                                         : row->states[STRENGTH_OFF] == ANSWER_SAME;
     return neutral && row->absent && row->said[0];

@@ -23,7 +23,8 @@ struct ledger_row {
     char reason[400];        /* why it cannot be switched on; "" */
     char said[160];          /* what the plan says of its absence; "": nothing */
     bool absent;             /* none of its passes is in the plan */
-    enum answer states[STRENGTHS];
+    enum answer states[STRENGTHS]; /* of looks STRENGTH_OFF: the pictures' hashes */
+    bool changes_pictures;   /* of looks */
     double without, with;    /* processor ns per particle and step; wall ns per particle and frame; NAN */
     double neutral;          /* the scene with the feature's key said to be off, ns; NAN */
     double steps;            /* as many as without, for the same time; NAN */

@@ -1,6 +1,7 @@
 /* Writes a ledger: the Markdown table, csv and json. */
 #include "study/products/fields.h"
 #include "study/ledger/ledger.h"
+#include "study/ledger/looks.h"
 
 #include "base/output.h"
 #include "base/quote.h"
@@ -41,6 +42,11 @@ static void print_bytes(const struct ledger_row *row, FILE *out)
 static void print_proof(const struct ledger_row *row, FILE *out)
 {
     const struct feature_row *feature = row->feature;
+    if (feature_is_look(feature)) {
+        fprintf(out, "pictures with it said to be off: %s; state with it: %s", answers[row->states[STRENGTH_OFF]],
+                answers[row->states[STRENGTH_ON]]);
+        return;
+    }
     if (feature->output)
         fprintf(out, "state with it %s", answers[row->states[STRENGTH_ON]]);
     else
@@ -57,7 +63,8 @@ static void print_proof(const struct ledger_row *row, FILE *out)
 
 static const char *effect(const struct ledger_row *row)
 {
-    return row->feature->output                          ? "none"
+    return feature_is_look(row->feature) ? row->changes_pictures ? "changes pictures" : "NO EFFECT in this scene"
+           : row->feature->output                          ? "none"
            : row->states[STRENGTH_ON] == ANSWER_DIFFERENT ? "changes the state"
                                                           : "NO EFFECT in this scene";
 }
@@ -177,6 +184,7 @@ static void write_json(const struct ledger *ledger, const struct study_about *ab
         json_number("steps_times", row->steps, out);
         json_number("bytes_by_plan", row->planned, out);
         json_number("bytes", row->bytes, out);
+        fprintf(out, "\"changes_pictures\": %s, ", row->changes_pictures ? "true" : "false");
         json_text("off_state", answers[row->states[STRENGTH_OFF]], out);
         json_text("on_state", answers[row->states[STRENGTH_ON]], out);
         json_text("faint_state", answers[row->states[STRENGTH_FAINT]], out);

@@ -25,15 +25,6 @@ static const char *method_name(const struct map *map, const struct map_cell *cel
     return map->study->methods[cell->method].name;
 }
 
-/* The errors of a run that has some: their names and bounds. */
-static const struct study_errors *some_errors(const struct map *map)
-{
-    for (size_t k = 0; k < map->count; k++)
-        if (map->cells[k].point->errors.count)
-            return &map->cells[k].point->errors;
-    return NULL;
-}
-
 static void field_text(const char *text, FILE *out)
 {
     csv_text(text, out);
@@ -46,7 +37,8 @@ static void field_number(double number, FILE *out)
     fputc(',', out);
 }
 
-static void csv_cell(const struct map *map, const struct map_cell *cell, size_t errors, FILE *out)
+static void csv_cell(const struct map *map, const struct map_cell *cell,
+                     const struct study_errors *errors, FILE *out)
 {
     const struct study_point *point = cell->point;
     const char *const texts[] = {method_name(map, cell), x_label(map, cell), y_label(map, cell),
@@ -62,15 +54,16 @@ static void csv_cell(const struct map *map, const struct map_cell *cell, size_t 
     for (int k = 0; k < LIMIT_COUNT; k++)
         field_number(cell->limits[k], out);
     field_number(cell->explicit_viscous, out);
-    for (size_t k = 0; k < errors; k++)
-        field_number(k < point->errors.count ? point->errors.items[k].value : (double)NAN, out);
+    for (size_t k = 0; errors && k < errors->count; k++) {
+        const struct study_error *error = study_error(point, errors->items[k].name);
+        field_number(error ? error->value : (double)NAN, out);
+    }
     fprintf(out, "%s,%s\n", point->hash, point->folder);
 }
 
-static void write_csv(const struct map *map, FILE *out)
+static void write_csv(const struct map *map, const struct study_results *results, FILE *out)
 {
-    const struct study_errors *errors = some_errors(map);
-    size_t count = errors ? errors->count : 0;
+    const struct study_errors *errors = study_most_errors(results->points, NULL);
     fputs("method,", out);
     field_text(map->study->map[0].key, out);
     field_text(map->study->map[1].key, out);
@@ -78,11 +71,11 @@ static void write_csv(const struct map *map, FILE *out)
     for (int k = 0; k < LIMIT_COUNT; k++)
         fprintf(out, "%s limit (s),", limit_words[k]);
     fputs("explicit viscous limit (s),", out);
-    for (size_t k = 0; k < count; k++)
+    for (size_t k = 0; errors && k < errors->count; k++)
         field_text(errors->items[k].name, out);
     fputs("state,folder\n", out);
     for (size_t k = 0; k < map->count; k++)
-        csv_cell(map, &map->cells[k], count, out);
+        csv_cell(map, &map->cells[k], errors, out);
 }
 
 static void json_cell(const struct map *map, const struct map_cell *cell, FILE *out)
@@ -178,9 +171,9 @@ static void write_counts(const struct map *map, FILE *out)
         fprintf(out, "- %s: %s\n", cell_looks[kind].name, cell_looks[kind].doc);
 }
 
-static void write_bounds(const struct map *map, FILE *out)
+static void write_bounds(const struct study_results *results, FILE *out)
 {
-    const struct study_errors *errors = some_errors(map);
+    const struct study_errors *errors = study_most_errors(results->points, NULL);
     fputs("\n## Bounds\n\nWrong is beyond one of\n\n", out);
     for (size_t k = 0; errors && k < errors->count; k++) {
         char bound[64];
@@ -245,7 +238,7 @@ static void write_report(const struct map *map, const struct study_results *resu
     for (int k = 0; k < LIMIT_COUNT; k++)
         if (limit_formulas[k])
             fprintf(out, "- %s: %s\n", limit_words[k], limit_formulas[k]);
-    write_bounds(map, out);
+    write_bounds(results, out);
     write_cells(map, CELL_WRONG, "Wrong", out);
     write_cells(map, CELL_STOPPED, "Stopped", out);
     write_cells(map, CELL_LATE, "Late", out);
@@ -262,10 +255,7 @@ enum status map_write(const struct map *map, const struct study_results *results
         snprintf(path, sizeof path, "%s/%s", results->directory, names[k]);
         if (output_open(&file, path, e))
             return e->status;
-        if (k == 0)
-            write_csv(map, file.stream);
-        else
-            (k == 1 ? write_json : write_report)(map, results, file.stream);
+        (k == 0 ? write_csv : k == 1 ? write_json : write_report)(map, results, file.stream);
         if (output_close(&file, true, e))
             return e->status;
     }

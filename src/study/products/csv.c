@@ -12,37 +12,25 @@ static void write_number(double number, FILE *out)
     csv_number(number, out);
 }
 
-/* Those of the point that has the most; a stopped one has none, a shorter one perhaps fewer. */
-static const struct study_errors *most_errors(const struct study_points *points)
-{
-    const struct study_errors *most = &points->items[0].errors;
-    for (size_t k = 1; k < points->count; k++)
-        if (points->items[k].errors.count > most->count)
-            most = &points->items[k].errors;
-    return most;
-}
-
-static double error_named(const struct study_point *point, const char *name)
-{
-    for (size_t i = 0; i < point->errors.count; i++)
-        if (strcmp(point->errors.items[i].name, name) == 0)
-            return point->errors.items[i].value;
-    return (double)NAN;
-}
-
-static void write_names(const struct study_errors *errors, FILE *out)
+static void write_names(const struct study_errors *errors, bool seeds, FILE *out)
 {
     fputs("ladder,method,key,value,outcome,cause,particles,spacing (m),threads,isa,repeats,"
           "wall (s),wall median (s),processor (s),ns a particle and step,pairs,steps,rejected,mean step (s),iterations a step,"
           "bytes,energy drift,momentum drift,leak (m),state,folder", out);
-    for (size_t i = 0; i < errors->count; i++) {
+    for (size_t i = 0; errors && i < errors->count; i++) {
         fputc(',', out);
         csv_text(errors->items[i].name, out);
+        if (seeds) { /* with the mean comes the spread */
+            char name[sizeof errors->items[i].name + 32];
+            snprintf(name, sizeof name, "%s: deviation", errors->items[i].name);
+            fputc(',', out);
+            csv_text(name, out);
+        }
     }
     fputc('\n', out);
 }
 
-static void write_point(const struct study_point *p, const struct study_errors *errors, FILE *out)
+static void write_point(const struct study_point *p, const struct study_errors *errors, bool seeds, FILE *out)
 {
     const char *const texts[] = {p->ladder ? p->ladder->name : "reference",
                                  p->method ? p->method->name : "reference",
@@ -65,8 +53,12 @@ static void write_point(const struct study_point *p, const struct study_errors *
     for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
         write_number(ran ? numbers[k] : (double)NAN, out);
     fprintf(out, ",%s,%s", p->hash, p->folder);
-    for (size_t i = 0; i < errors->count; i++)
-        write_number(error_named(p, errors->items[i].name), out);
+    for (size_t i = 0; errors && i < errors->count; i++) {
+        const struct study_error *error = study_error(p, errors->items[i].name);
+        write_number(error ? error->value : (double)NAN, out);
+        if (seeds)
+            write_number(error ? error->deviation : (double)NAN, out);
+    }
     fputc('\n', out);
 }
 
@@ -77,10 +69,11 @@ static enum status write_csv(const struct study_results *results, struct error *
     snprintf(path, sizeof path, "%s/results.csv", results->directory);
     if (output_open(&file, path, e))
         return e->status;
-    const struct study_errors *errors = most_errors(results->points);
-    write_names(errors, file.stream);
+    const struct study_errors *errors = study_most_errors(results->points, NULL);
+    bool seeds = results->study->seeds > 1;
+    write_names(errors, seeds, file.stream);
     for (size_t k = 0; k < results->points->count; k++)
-        write_point(&results->points->items[k], errors, file.stream);
+        write_point(&results->points->items[k], errors, seeds, file.stream);
     return output_close(&file, true, e);
 }
 

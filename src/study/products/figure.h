@@ -15,8 +15,8 @@ enum figure_kind {
 struct figure {
     const struct study_ladder *ladder;
     enum figure_kind kind;
-    size_t plot;                  /* place of the error */
-    const struct study_error *of; /* it in some point: name, unit, asked, spread; NULL: none is known */
+    const char *error;            /* its name; NULL: none is known */
+    const struct study_error *of; /* it in some point: name, unit, asked, spread; or NULL */
     char stem[160];               /* of its files, in "plots" */
 };
 
@@ -26,12 +26,18 @@ size_t study_figures(const struct study_results *results, struct figure *figures
 /* Whether the ladder shows time against its value, for the rule see enum ladder_figure. */
 bool figure_is_time(const struct study_results *results, const struct study_ladder *ladder);
 
-/* An error of that place in some point of the ladder, or NULL. */
+/* The error of that name in some point of the ladder, or NULL. */
 const struct study_error *figure_error(const struct study_points *points,
-                                       const struct study_ladder *ladder, size_t plot);
+                                       const struct study_ladder *ladder, const char *name);
+
+/* What a ladder's values are called: its key, or its name where that says more. */
+const char *figure_key(const struct study_ladder *ladder);
 
 /* One line of words below it. */
 void figure_caption(const struct figure *figure, char *out, size_t size);
+
+/* Wall time, s; where the ladder says a number of steps, of so many. */
+double figure_wall_of_steps(const struct study_point *point);
 
 /* What a point costs in this figure. */
 double (*figure_cost(const struct figure *figure))(const struct study_point *);
@@ -46,6 +52,7 @@ struct figure_axis {
 struct figure_mark {
     const struct study_point *point;
     double x, y;
+    double low, high; /* x of the least and the most of its seeds; NAN: none */
     bool failed, front;
 };
 

@@ -69,6 +69,18 @@ static size_t mark_before(const struct figure_view *view, size_t k)
     return k;
 }
 
+/* Whether the bar of the mark's seeds goes through. */
+static bool bar_crosses(const struct figure_view *view, size_t k, const struct box *box)
+{
+    const struct figure_mark *mark = &view->marks[k];
+    double y = figure_part(&view->y, mark->y);
+    if (isnan(mark->high))
+        return false;
+    double low = mark->low > view->x.from ? figure_part(&view->x, mark->low) : 0;
+    return y + MARK_SIZE / 2 > box->bottom && y - MARK_SIZE / 2 < box->top && low - MARK_SIZE / 2 < box->right &&
+           figure_part(&view->x, mark->high) + MARK_SIZE / 2 > box->left;
+}
+
 static bool is_free(const struct figure_view *view, const enum label_side *sides, size_t k,
                     const struct box *box)
 {
@@ -78,6 +90,7 @@ static bool is_free(const struct figure_view *view, const enum label_side *sides
         struct box mark = mark_box(view, other), label = label_box(view, other, sides[other]);
         if ((other != k && overlap(box, &mark)) ||
             (other < k && sides[other] != LABEL_NONE && overlap(box, &label)) ||
+            bar_crosses(view, other, box) ||
             (!view->marks[other].failed && line_crosses(view, mark_before(view, other), other, box)))
             return false;
     }

@@ -69,7 +69,7 @@ static double x_of(const struct figure *figure, const struct figure_view *view,
                    const struct study_point *point)
 {
     if (figure->kind != FIGURE_VALUE)
-        return study_error_size(point, figure->plot) *
+        return study_error_size(point, figure->error) *
                (figure->of ? text_scale(figure->of->unit) : 1);
     return view->x.rungs ? (double)point->rung + 1 : strtod(figure->ladder->labels[point->rung], NULL);
 }
@@ -80,6 +80,16 @@ static bool has_failed(const struct study_point *point)
            point->outcome == OUTCOME_CRASHED;
 }
 
+/* From the least to the most error of its seeds. */
+static void set_bar(const struct figure *figure, struct figure_mark *mark)
+{
+    const struct study_error *error = study_error(mark->point, figure->error);
+    if (mark->failed || figure->kind == FIGURE_VALUE || !error || error->runs < 2)
+        return;
+    mark->low = error->least * text_scale(error->unit);
+    mark->high = error->most * text_scale(error->unit);
+}
+
 static void collect(const struct study_results *results, const struct figure *figure,
                     struct figure_view *view)
 {
@@ -88,12 +98,14 @@ static void collect(const struct study_results *results, const struct figure *fi
         for (size_t k = 0; k < results->points->count; k++) {
             const struct study_point *p = &results->points->items[k];
             double (*cost)(const struct study_point *) = figure_cost(figure);
-            struct figure_mark mark = {p, x_of(figure, view, p), cost(p), has_failed(p), false};
+            struct figure_mark mark = {.point = p, .x = x_of(figure, view, p), .y = cost(p),
+                                       .failed = has_failed(p), .low = (double)NAN, .high = (double)NAN};
+            set_bar(figure, &mark);
             if (p->ladder != figure->ladder || p->method != &study->methods[m] ||
                 (!mark.failed && (p->outcome != OUTCOME_DONE || isnan(mark.x) || !(mark.y > 0))))
                 continue;
             mark.front = figure->kind != FIGURE_VALUE && !mark.failed &&
-                         study_is_front(results->points, p, figure->plot, cost);
+                         study_is_front(results->points, p, figure->error, cost);
             view->marks[view->count++] = mark;
             view->failures = view->failures || mark.failed;
         }
@@ -107,10 +119,15 @@ static void set_axes(const struct study_results *results, const struct figure *f
         const struct figure_mark *mark = &view->marks[k];
         if (!mark->failed || !errors)
             include(&view->x, mark->x);
+        include(&view->x, mark->low);
+        include(&view->x, mark->high);
         if (!mark->failed)
             include(&view->y, mark->y);
         zero = zero || (!mark->failed && mark->x == 0);
     }
+    for (size_t o = 0; o < figure->ladder->other_count && !errors; o++)
+        for (size_t k = 0; k < figure->ladder->count; k++)
+            include(&view->y, figure->ladder->others[o].seconds[k]);
     if (errors && figure->of) {
         double scale = text_scale(figure->of->unit);
         include_near(&view->x, figure->of->asked * scale);

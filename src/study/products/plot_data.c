@@ -18,8 +18,10 @@ static void write_mark(const struct figure_mark *mark, FILE *out)
     study_point_name(mark->point, name, sizeof name);
     for (char *c = name; *c; c++)
         *c = *c == '"' ? '\'' : *c;
-    fprintf(out, "%.9g %.9g \"%s\" \"%s\"\n", mark->x, mark->y, outcome_names[mark->point->outcome],
-            name);
+    fprintf(out, "%.9g %.9g \"%s\" \"%s\"", mark->x, mark->y, outcome_names[mark->point->outcome], name);
+    if (!isnan(mark->high))
+        fprintf(out, " %.9g %.9g", mark->low, mark->high);
+    fputc('\n', out);
 }
 
 static void write_methods(const struct figure_view *view, FILE *out)
@@ -77,7 +79,7 @@ enum status plot_data(const struct study_results *results, const struct figure *
     if (output_open(&file, path, e))
         return e->status;
     figure_caption(figure, caption, sizeof caption);
-    fprintf(file.stream, "# %s\n# x y outcome point; failures stand above the others, at no x or y of "
+    fprintf(file.stream, "# %s\n# x y outcome point, and of seeds the least and most x; failures stand above the others, at no x or y of "
                          "their own; an error of 0 at the left\n", caption);
     write_left_out(results, figure, file.stream);
     write_methods(view, file.stream);

@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { WIDTH = 1004, HEIGHT = 730, LINE = 40, NAME_MOST = 46 };
@@ -170,12 +171,16 @@ static void write_axes(struct script *s)
     figure_tics(s->figure, &v->x, 'x', s->out);
     figure_tics(s->figure, &v->y, 'y', s->out);
     if (s->figure->kind == FIGURE_VALUE)
-        snprintf(text, sizeof text, "%s", ladder->key[0] ? ladder->key : ladder->name);
+        snprintf(text, sizeof text, "%s", figure_key(ladder));
     else
         snprintf(text, sizeof text, "error: %s%s%s", of ? of->name : "", of && of->unit[0] ? ", " : "",
                  of ? of->unit : "");
     write_name(s, 'x', text);
-    write_name(s, 'y', s->figure->kind == FIGURE_PAIRS ? "evaluated pairs" : "wall time, s");
+    if (s->figure->kind == FIGURE_VALUE && ladder->steps > 0)
+        snprintf(text, sizeof text, "wall time for %.0f steps, s", ladder->steps);
+    else
+        snprintf(text, sizeof text, s->figure->kind == FIGURE_PAIRS ? "evaluated pairs" : "wall time, s");
+    write_name(s, 'y', text);
     if (v->failures)
         fputs("set arrow from graph 0, graph 0.88 to graph 1, graph 0.88 nohead linewidth 1.5 linecolor "
               "rgb '#bbbbbb'\n", s->out);
@@ -184,7 +189,7 @@ static void write_axes(struct script *s)
 /* Of all that the key may say, for the height of the picture. */
 static size_t key_lines(const struct script *s)
 {
-    size_t count = 7;
+    size_t count = 7 + (s->figure->kind == FIGURE_VALUE ? s->figure->ladder->other_count : 0);
     for (size_t m = 0; m < sizeof s->shown; m++)
         count += s->shown[m];
     return count;
@@ -204,6 +209,19 @@ static void write_head(struct script *s)
             key_lines(s), HEIGHT, LINE);
 }
 
+/* From the least to the most of the seeds. */
+static void plot_bars(struct script *s, size_t block, const char *color)
+{
+    bool any = false;
+    for (size_t k = 0; k < s->view->count; k++)
+        any = any || !isnan(s->view->marks[k].high);
+    if (!any)
+        return;
+    begin_entry(s);
+    fprintf(s->out, "data index %zu using 1:2:5:6 with xerrorbars linewidth 2 pointtype 0 linecolor rgb '%s' notitle",
+            block, color);
+}
+
 static void plot_methods(struct script *s)
 {
     size_t block = 0;
@@ -219,6 +237,7 @@ static void plot_methods(struct script *s)
             begin_entry(s);
             fprintf(s->out, "data index %zu using 1:2 with %s", block++, style);
             write_title(s, s->results->study->methods[m].name);
+            plot_bars(s, block - 1, method_color(m));
         } else if (s->shown[m]) {
             say_in_key(s, style, s->results->study->methods[m].name);
         }
@@ -253,6 +272,33 @@ static void plot_ideal(struct script *s)
     }
 }
 
+/* Other programs' times, at the rungs that they are known of. */
+static void write_others(struct script *s)
+{
+    const struct study_ladder *ladder = s->figure->ladder;
+    for (size_t o = 0; o < ladder->other_count && s->figure->kind == FIGURE_VALUE; o++) {
+        fprintf(s->out, "$other%zu << END\n", o);
+        for (size_t k = 0; k < ladder->count; k++) {
+            double x = s->view->x.rungs ? (double)k + 1 : strtod(ladder->labels[k], NULL);
+            if (!isnan(ladder->others[o].seconds[k]))
+                fprintf(s->out, "%.9g %.9g\n", x, ladder->others[o].seconds[k]);
+        }
+        fputs("END\n", s->out);
+    }
+}
+
+static void plot_others(struct script *s)
+{
+    const struct study_ladder *ladder = s->figure->ladder;
+    for (size_t o = 0; o < ladder->other_count && s->figure->kind == FIGURE_VALUE; o++) {
+        size_t look = s->results->study->method_count + o;
+        begin_entry(s);
+        fprintf(s->out, "$other%zu using 1:2 with linespoints dashtype (8, 8) linewidth 2 pointtype %d "
+                        "pointsize 0.7 * mark linecolor rgb '%s'", o, method_shape(look), method_color(look));
+        write_title(s, ladder->others[o].name);
+    }
+}
+
 static void plot_failures(struct script *s)
 {
     bool said = false;
@@ -279,6 +325,7 @@ static void plot_all(struct script *s)
     bool work = s->figure->kind != FIGURE_VALUE;
     fprintf(s->out, "data = '%s.dat'\n", s->figure->stem);
     plot_methods(s);
+    plot_others(s);
     if (!work && strcmp(ladder->key, "threads") == 0 && !s->view->x.rungs)
         plot_ideal(s);
     plot_failures(s);
@@ -289,6 +336,10 @@ static void plot_all(struct script *s)
                   "boxes fillstyle solid noborder linecolor rgb '" SPREAD_COLOR "'");
         say_limit(s, s->results->study->floor, "float32 cannot tell below ",
                   "boxes fillstyle solid noborder linecolor rgb '" FLOOR_COLOR "'");
+    }
+    if (work && s->results->study->seeds > 1) {
+        snprintf(text, sizeof text, "bars: least to most of %d seeds", s->results->study->seeds);
+        say_in_key(s, "lines linewidth 2 linecolor rgb '#444444'", text);
     }
     if (work && ladder->key[0]) {
         snprintf(text, sizeof text, "numbers: %s", ladder->key);
@@ -309,6 +360,7 @@ static void write_script(struct script *s, const enum label_side *sides)
     write_axes(s);
     write_limits(s);
     write_labels(s, sides);
+    write_others(s);
     fprintf(s->out, "set terminal pngcairo size width, height font 'sans,24' rounded\n"
                     "set output '%s.png'\nmark = 2.6; ring = 4.6\n", stem);
     plot_all(s);

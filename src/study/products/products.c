@@ -28,20 +28,16 @@ enum status study_write(const struct study_results *results, struct error *e)
     return STATUS_OK;
 }
 
-size_t study_plots(const struct study_results *results, size_t *places, size_t most)
+size_t study_plots(const struct study_results *results, const char **names, size_t most)
 {
     const struct study *study = results->study;
+    const struct study_errors *errors = study_most_errors(results->points, NULL);
     size_t count = 0;
-    for (size_t k = 0; k < study->plot_count && count < most; k++) {
-        long place = study_error_place(results->points, study->plots[k]);
-        if (place >= 0)
-            places[count++] = (size_t)place;
-    }
-    bool any = false;
-    for (size_t k = 0; k < results->points->count; k++)
-        any = any || results->points->items[k].errors.count;
-    if (!study->plot_count && any && most > 0)
-        places[count++] = 0;
+    for (size_t k = 0; k < study->plot_count && count < most; k++)
+        if (study_error_known(results->points, study->plots[k]))
+            names[count++] = study->plots[k];
+    if (!study->plot_count && errors && most > 0)
+        names[count++] = errors->items[0].name;
     return count;
 }
 

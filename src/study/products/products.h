@@ -34,8 +34,8 @@ enum status study_write(const struct study_results *results, struct error *e);
 /* "done", "stopped" ... */
 extern const char *const outcome_names[];
 
-/* The errors that have figures: place of each in errors.items; returns their number, at most `most`. */
-size_t study_plots(const struct study_results *results, size_t *places, size_t most);
+/* The names of the errors that have figures; returns their number, at most `most`. */
+size_t study_plots(const struct study_results *results, const char **names, size_t most);
 
 /* "isph, particles.spacing 0.05" */
 void study_point_name(const struct study_point *point, char *out, size_t size);

@@ -46,12 +46,12 @@ static void write_about(struct sheet *sheet)
     const struct study_about *about = sheet->results->about;
     double before = about->speed[0], after = about->speed[1], drift = after / before - 1;
     sheet_paragraph(sheet, false, "Measured %s on %s by sph-render %s, scene %s%s%s. Each point ran up to "
-                    "%d times, in turns with the others, once where a run takes more than %g s; times are of "
+                    "%d times%s, in turns with the others, once where a run takes more than %g s; times are of "
                     "solving, the least counts; errors are of the first run. A fixed loop "
                     "made %.3g multiply-adds a second before and %.3g after (%+.1f %%).",
                     about->date, report_processor(), SPH_VERSION, study->scene,
                     study->known ? ", case " : "", study->known ? study->known->variant.name : "",
-                    study->repeats, REPEAT_LONGEST, before, after, 100 * drift);
+                    study->repeats, study->seeds > 1 ? " from each of its seeds" : "", REPEAT_LONGEST, before, after, 100 * drift);
     if (fabs(drift) > SPEED_DRIFT)
         sheet_paragraph(sheet, true, "The machine's speed changed by %.0f %%: do not trust differences of "
                         "time that are smaller; run again on a quiet machine.", 100 * fabs(drift));

@@ -37,6 +37,7 @@ enum status sheet_write(struct sheet *sheet, struct error *e);
 /* Its parts. */
 enum status sheet_ladders(struct sheet *sheet, struct error *e);  /* tables and figures */
 void sheet_efforts(struct sheet *sheet, const struct study_ladder *ladder); /* time to an error */
+void sheet_convergence(struct sheet *sheet, const struct study_ladder *ladder); /* against finer runs */
 enum status sheet_verdicts(struct sheet *sheet, struct error *e); /* asked bounds, default, failures */
 
 void sheet_paragraph(struct sheet *sheet, bool warning, const char *format, ...)

@@ -27,7 +27,7 @@ static void write_method(struct sheet *sheet, const struct curve *curve,
     sheet->format->row(sheet, false);
 }
 
-static void write_error(struct sheet *sheet, const struct study_ladder *ladder, size_t plot,
+static void write_error(struct sheet *sheet, const struct study_ladder *ladder,
                         const struct study_error *of)
 {
     const struct study_results *results = sheet->results;
@@ -53,7 +53,7 @@ static void write_error(struct sheet *sheet, const struct study_ladder *ladder, 
     sheet->format->table(sheet, true);
     sheet_heads(sheet, heads, count + 2);
     for (size_t m = 0; m < results->study->method_count; m++) {
-        struct curve curve = {results->points, ladder, &results->study->methods[m], plot};
+        struct curve curve = {results->points, ladder, &results->study->methods[m], of->name};
         write_method(sheet, &curve, of, sought, count);
     }
     sheet->format->table(sheet, false);
@@ -61,10 +61,11 @@ static void write_error(struct sheet *sheet, const struct study_ladder *ladder, 
 
 void sheet_efforts(struct sheet *sheet, const struct study_ladder *ladder)
 {
-    size_t plots[ERRORS_MAX], count = study_plots(sheet->results, plots, ERRORS_MAX);
+    const char *names[ERRORS_MAX];
+    size_t count = study_plots(sheet->results, names, ERRORS_MAX);
     for (size_t k = 0; k < count; k++) {
-        const struct study_error *of = figure_error(sheet->results->points, ladder, plots[k]);
+        const struct study_error *of = figure_error(sheet->results->points, ladder, names[k]);
         if (of)
-            write_error(sheet, ladder, plots[k], of);
+            write_error(sheet, ladder, of);
     }
 }

@@ -5,9 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Times whose median lies further above the least are marked. */
-#define NOISE 0.1
-
 static void cell(struct sheet *sheet, double value)
 {
     char text[64];
@@ -15,11 +12,14 @@ static void cell(struct sheet *sheet, double value)
     sheet->format->cell(sheet, text, CELL_PLAIN);
 }
 
+/* NULL: the point has no such error. */
 static void cell_error(struct sheet *sheet, const struct study_error *error)
 {
     char text[64];
-    text_error(error->value, error->unit, text, sizeof text);
-    sheet->format->cell(sheet, text, fabs(error->value) > error->asked ? CELL_BOLD : CELL_PLAIN);
+    if (error)
+        text_found(error, text, sizeof text);
+    sheet->format->cell(sheet, error ? text : text_none,
+                        error && study_error_amount(error) > error->asked ? CELL_BOLD : CELL_PLAIN);
 }
 
 /* Least time of the method at the ladder's least value of threads, over this one's. */
@@ -40,9 +40,11 @@ static bool by_threads(const struct study_ladder *ladder)
     return strcmp(ladder->key, "threads") == 0;
 }
 
+/* Its time is not sure: every run of it waited for others, or only one of several did not. */
 static bool is_noisy(const struct study_point *point)
 {
-    return study_wall_median(point) > (1 + NOISE) * study_wall(point);
+    int calm = study_calm(point);
+    return point->repeats > 0 && (calm == 0 || (calm == 1 && point->repeats > 1));
 }
 
 static void write_numbers(struct sheet *sheet, const struct study_point *p)
@@ -64,8 +66,8 @@ static void write_numbers(struct sheet *sheet, const struct study_point *p)
         cell(sheet, speed_up(sheet->results, p));
 }
 
-static void write_point(struct sheet *sheet, const struct study_point *p, size_t error_count,
-                        const size_t *plots, size_t plot_count)
+static void write_point(struct sheet *sheet, const struct study_point *p,
+                        const struct study_errors *errors, const char *const *plots, size_t plot_count)
 {
     const struct study_points *points = sheet->results->points;
     char text[64];
@@ -74,11 +76,8 @@ static void write_point(struct sheet *sheet, const struct study_point *p, size_t
     text_value(p->ladder->labels[p->rung], text, sizeof text);
     sheet->format->cell(sheet, text, CELL_PLAIN);
     write_numbers(sheet, p);
-    for (size_t k = 0; k < error_count; k++)
-        if (k < p->errors.count)
-            cell_error(sheet, &p->errors.items[k]);
-        else
-            cell(sheet, (double)NAN);
+    for (size_t k = 0; errors && k < errors->count; k++)
+        cell_error(sheet, study_error(p, errors->items[k].name));
     for (size_t k = 0; k < plot_count; k++) {
         double order = study_order(points, p, plots[k]);
         snprintf(text, sizeof text, "%.2f", order);
@@ -93,7 +92,7 @@ static void write_point(struct sheet *sheet, const struct study_point *p, size_t
 }
 
 static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
-                        const struct study_point *example, const size_t *plots, size_t plot_count)
+                        const struct study_errors *errors, const char *const *plots, size_t plot_count)
 {
     static const char *const fixed[] = {"N", "mean step, s", "steps", "rejected", "iterations a step",
                                         "wall, s", "median, s", "processor, s", "pairs"};
@@ -104,11 +103,11 @@ static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
         heads[count++] = fixed[k];
     if (by_threads(ladder))
         heads[count++] = "speed-up";
-    for (size_t k = 0; example && k < example->errors.count; k++)
-        heads[count++] = example->errors.items[k].name;
+    for (size_t k = 0; errors && k < errors->count; k++)
+        heads[count++] = errors->items[k].name;
     for (size_t k = 0; k < plot_count; k++) {
-        bool say = plot_count > 1 && example && plots[k] < example->errors.count;
-        const char *name = say ? example->errors.items[plots[k]].name : "";
+        bool say = plot_count > 1;
+        const char *name = say ? plots[k] : "";
         snprintf(orders[k], sizeof orders[k], "order%s%s", say ? " of " : "", name);
         snprintf(fronts[k], sizeof fronts[k], "front%s%s", say ? " of " : "", name);
         heads[count++] = orders[k];
@@ -120,48 +119,48 @@ static void write_heads(struct sheet *sheet, const struct study_ladder *ladder,
     sheet_heads(sheet, heads, count);
 }
 
-/* A point of the ladder that has errors, or NULL. */
-static const struct study_point *find_example(const struct study_points *points,
-                                              const struct study_ladder *ladder)
-{
-    const struct study_point *example = NULL;
-    for (size_t k = 0; k < points->count; k++)
-        if (points->items[k].ladder == ladder &&
-            (!example || points->items[k].errors.count > example->errors.count))
-            example = &points->items[k];
-    return example;
-}
-
 static void write_notes(struct sheet *sheet, const struct study_ladder *ladder)
 {
     const struct study_points *points = sheet->results->points;
-    size_t noisy = 0;
-    for (size_t k = 0; k < points->count; k++)
-        noisy += points->items[k].ladder == ladder && is_noisy(&points->items[k]);
+    size_t noisy = 0, left_out = 0, seeds = (size_t)sheet->results->study->seeds;
+    for (size_t k = 0; k < points->count; k++) {
+        const struct study_point *p = &points->items[k];
+        noisy += p->ladder == ladder && is_noisy(p);
+        left_out += p->ladder == ladder && p->repeats > 0 ? (size_t)(p->repeats - study_calm(p)) : 0;
+    }
     sheet_paragraph(sheet, false, "Bold: more than asked. %sDrift: part of the largest energy, and of the "
                     "momentum of all mass at the mean speed of most kinetic energy.",
                     figure_is_time(sheet->results, ladder) ? ""
                     : "Front ●: no other point errs less in less time. Order: p of error ~ spacing^p from the "
                       "rung before. ");
+    if (seeds > 1)
+        sheet_paragraph(sheet, false, "Each point is %zu runs from different seeds of disorder: errors are their mean ± "
+                        "standard deviation, compared by the mean of their sizes; bars in figures reach from the least to "
+                        "the most; times are means. Steps, drifts and states are of the first.", seeds);
+    if (left_out)
+        sheet_paragraph(sheet, false, "%zu runs were disturbed, more than 10 %% longer than others of their point or than "
+                        "their processor time; they are left out of the medians, and were made again as far as the "
+                        "budget went.", left_out);
     if (noisy)
-        sheet_paragraph(sheet, true, "~: %zu points are noisy; their median time is more than %g %% above "
-                        "the least.", noisy, 100 * NOISE);
+        sheet_paragraph(sheet, true, "~: the times of %zu points are not sure: at most one of their runs was not "
+                        "disturbed.", noisy);
 }
 
 static void write_table(struct sheet *sheet, const struct study_ladder *ladder)
 {
     const struct study_results *results = sheet->results;
-    size_t plots[ERRORS_MAX], plot_count = study_plots(results, plots, ERRORS_MAX);
+    const char *plots[ERRORS_MAX];
+    size_t plot_count = study_plots(results, plots, ERRORS_MAX);
     if (figure_is_time(results, ladder)) /* no orders and fronts */
         plot_count = 0;
-    const struct study_point *example = find_example(results->points, ladder);
+    const struct study_errors *errors = study_most_errors(results->points, ladder);
     sheet->format->table(sheet, true);
-    write_heads(sheet, ladder, example, plots, plot_count);
+    write_heads(sheet, ladder, errors, plots, plot_count);
     for (size_t m = 0; m < results->study->method_count; m++)
         for (size_t k = 0; k < results->points->count; k++) {
             const struct study_point *p = &results->points->items[k];
             if (p->ladder == ladder && p->method == &results->study->methods[m])
-                write_point(sheet, p, example ? example->errors.count : 0, plots, plot_count);
+                write_point(sheet, p, errors, plots, plot_count);
         }
     sheet->format->table(sheet, false);
     write_notes(sheet, ladder);
@@ -182,6 +181,7 @@ enum status sheet_ladders(struct sheet *sheet, struct error *e)
         if (!figure_is_time(sheet->results, ladder))
             sheet_efforts(sheet, ladder);
         write_table(sheet, ladder);
+        sheet_convergence(sheet, ladder);
         if (sheet->format->frames(sheet, ladder, e))
             return e->status;
     }

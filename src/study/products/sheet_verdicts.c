@@ -20,7 +20,7 @@ static const struct study_point *finest(const struct study_points *points,
     return best;
 }
 
-static void write_bound(struct sheet *sheet, const struct study_ladder *ladder, size_t place,
+static void write_bound(struct sheet *sheet, const struct study_ladder *ladder,
                         const struct study_error *of)
 {
     const struct study_results *results = sheet->results;
@@ -28,7 +28,7 @@ static void write_bound(struct sheet *sheet, const struct study_ladder *ladder, 
     for (size_t m = 0; m < results->study->method_count; m++) {
         const struct study_method *method = &results->study->methods[m];
         const struct study_point *p = finest(results->points, ladder, method);
-        double size = p ? study_error_size(p, place) : (double)NAN;
+        double size = p ? study_error_size(p, of->name) : (double)NAN;
         char text[300], number[64], rung[80] = "";
         text_error(size, of->unit, number, sizeof number);
         if (p && p->rung + 1 < ladder->count)
@@ -52,26 +52,25 @@ static void write_bounds(struct sheet *sheet)
     for (size_t l = 0; l < results->study->ladder_count; l++) {
         const struct study_ladder *ladder = &results->study->ladders[l];
         bool skip = results->study->ladder_count > 1 && figure_is_time(results, ladder);
-        for (size_t k = 0; k < ERRORS_MAX && !skip; k++) {
-            const struct study_error *of = figure_error(results->points, ladder, k);
-            if (of && !isnan(of->asked))
-                write_bound(sheet, ladder, k, of);
-        }
+        const struct study_errors *errors = study_most_errors(results->points, ladder);
+        for (size_t k = 0; errors && k < errors->count && !skip; k++)
+            if (!isnan(errors->items[k].asked))
+                write_bound(sheet, ladder, &errors->items[k]);
     }
 }
 
-static void write_default(struct sheet *sheet, const struct study_ladder *ladder, size_t plot,
-                          const struct study_method *method, bool own)
+static void write_default(struct sheet *sheet, const struct study_ladder *ladder,
+                          const char *error, const struct study_method *method, bool own)
 {
     const struct study_points *points = sheet->results->points;
-    const struct study_error *of = figure_error(points, ladder, plot);
+    const struct study_error *of = figure_error(points, ladder, error);
     size_t front = 0, done = 0;
     for (size_t k = 0; k < points->count; k++) {
         const struct study_point *p = &points->items[k];
-        if (p->ladder != ladder || p->method != method || isnan(study_error_size(p, plot)))
+        if (p->ladder != ladder || p->method != method || isnan(study_error_size(p, error)))
             continue;
         done++;
-        front += study_is_front(points, p, plot, study_wall);
+        front += study_is_front(points, p, error, study_wall);
     }
     if (of)
         sheet_item(sheet, "Default on the front? %s (%s): %s, %zu of its %zu points are (ladder %s, %s).",
@@ -82,7 +81,8 @@ static void write_default(struct sheet *sheet, const struct study_ladder *ladder
 static enum status write_defaults(struct sheet *sheet, struct error *e)
 {
     const struct study_results *results = sheet->results;
-    size_t plots[ERRORS_MAX], count = study_plots(results, plots, ERRORS_MAX);
+    const char *plots[ERRORS_MAX];
+    size_t count = study_plots(results, plots, ERRORS_MAX);
     const struct study_method *method;
     bool own;
     if (study_default(results->study, &method, &own, e))

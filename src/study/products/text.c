@@ -31,6 +31,20 @@ void text_error(double value, const char *unit, char *out, size_t size)
         snprintf(out, size, "%.3g%s%s", value * text_scale(unit), unit[0] ? " " : "", unit);
 }
 
+void text_found(const struct study_error *error, char *out, size_t size)
+{
+    double scale = text_scale(error->unit);
+    size_t length;
+    if (error->runs > 1)
+        snprintf(out, size, "%.3g ± %.2g%s%s", error->value * scale, error->deviation * scale,
+                 error->unit[0] ? " " : "", error->unit);
+    else
+        text_error(error->value, error->unit, out, size);
+    length = strlen(out);
+    if (error->runs < error->seeds)
+        snprintf(out + length, size - length, " (%d of %d seeds)", error->runs, error->seeds);
+}
+
 void text_value(const char *value, char *out, size_t size)
 {
     char *end;

@@ -2,6 +2,8 @@
 #ifndef STUDY_TEXT_H
 #define STUDY_TEXT_H
 
+#include "study/cases/case.h"
+
 #include <stddef.h>
 #include <stdio.h>
 
@@ -12,6 +14,10 @@ void text_number(double value, char *out, size_t size);
 
 /* Three digits and the unit: "1.23 %" of 0.0123, "0.0012 m". */
 void text_error(double value, const char *unit, char *out, size_t size);
+
+/* The same of a point's error; of several runs their mean and standard deviation, "1.23 ± 0.4 %", and
+ * how many there are where seeds are missing. */
+void text_found(const struct study_error *error, char *out, size_t size);
 
 /* A rung's value, of a number four digits. */
 void text_value(const char *value, char *out, size_t size);

@@ -4,12 +4,14 @@
 
 #include "base/variant.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 struct norm_row {
     struct variant variant;
     /* Of the error of `count` values, at least 1. */
     double (*of)(const double *values, const double *exact, size_t count);
+    bool has_sign; /* it changes in proportion to the values */
 };
 
 extern const struct variant_table norm_table; /* "norms" */
@@ -20,6 +22,9 @@ double norm_max(const double *values, const double *exact, size_t count); /* max
 
 /* max (e, 0) / max |x|: how far values rise above the reference; what falls is no error */
 double norm_rise(const double *values, const double *exact, size_t count);
+
+/* sum e / sum |x|, with its sign: of an integral over time. */
+double norm_mean(const double *values, const double *exact, size_t count);
 
 /* e / x of the last value, with its sign; e where x is 0. */
 double norm_final(const double *values, const double *exact, size_t count);
