@@ -39,3 +39,5 @@ done
 echo "a film of a million particles, 1920x1080"
 $SPH scenes/bench/dambreak-50k.json --set particles.spacing=0.00433 --size 1920x1080 --fps 60 --end 0.5 \
     --backend "$DEVICE" -o "$OUT/film.mp4" --report "$OUT/film.json" 2>&1 | tail -3 | tee "$OUT/film.txt"
+echo "error against run time, on processors and the GPU"
+$SPH study studies/gpu/*.json -o "$OUT/study" --budget 10m

@@ -42,6 +42,21 @@ case $devices in
     refused 3 "list devices" --backend cuda:1000
     ;;
 esac
+cat >"$work/both.json" <<EOF
+{ "title": "both", "scene": "$PWD/scenes/validation/free-fall.json", "case": "free-fall",
+  "methods": [{"name": "here", "set": {"backend": "cpu"}}, {"name": "there", "set": {"backend": "cuda"}}],
+  "ladders": [{"name": "step", "set": {"time.step": [0.02, 0.01]}}], "repeats": 1 }
+EOF
+if "$SPH" study "$work/both.json" -o "$work/both" -q >"$work/out" 2>&1; then
+    [ "$(cut -d, -f10 "$work/both/results.csv" | sort -u | grep -cE '^(cpu|cuda)$')" = 2 ]
+else
+    [ $? = 3 ] && grep -q "both.json, there: " "$work/out" && [ ! -e "$work/both/results.csv" ]
+fi
+result $? "a study of both back ends"
+sed 's/, {"name": "there".*}}\]/]/' "$work/both.json" >"$work/one.json"
+"$SPH" study "$work/one.json" -o "$work/one" -q >"$work/out" 2>&1 &&
+    grep -q -- "--backend cpu" "$work/one/report.md"
+result $? "the command of a study's row names the back end"
 echo "$devices" | head -n 1 | grep -qx "devices: GPUs for --backend cuda:N"
 result $? "list devices"
 

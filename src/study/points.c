@@ -21,6 +21,12 @@ static const char kept[] = "{\"quantity\": \"energy\", \"name\": \"kept-energy\"
 /* A small picture of the last state. */
 static const char picture[] = "[480, 270]";
 
+/* What is between the quotes. */
+static void take_word(char *out, size_t size, const char *quoted)
+{
+    snprintf(out, size, "%.*s", (int)strcspn(quoted + 1, "\""), quoted + 1);
+}
+
 /* Takes the run's own settings, which no scene has, out of a set. */
 static enum status take_run_settings(struct study_point *point, const struct study_set *set,
                                      struct study_set *rest, struct error *e)
@@ -36,7 +42,9 @@ static enum status take_run_settings(struct study_point *point, const struct stu
                                  "processors) to 4096", set->labels[k], value);
             point->threads = (int)threads;
         } else if (strncmp(item, "isa=", 4) == 0) {
-            snprintf(point->isa, sizeof point->isa, "%.*s", (int)strcspn(value + 1, "\""), value + 1);
+            take_word(point->isa, sizeof point->isa, value);
+        } else if (strncmp(item, "backend=", 8) == 0) {
+            take_word(point->backend, sizeof point->backend, value);
         } else if (set_append(rest, &one, e)) {
             return e->status;
         }
@@ -117,6 +125,7 @@ static enum status name_folder(struct study_point *point, const char *method, st
     uint64_t hash = fnv_bytes(program_hash() ^ scene_hash(point->scene, &run_vocabulary),
                                &point->threads, sizeof point->threads);
     hash = fnv_bytes(hash, point->isa, strlen(point->isa));
+    hash = fnv_bytes(hash, point->backend, strlen(point->backend));
     snprintf(plain, sizeof plain, "%.60s", method);
     for (char *p = plain; *p; p++)
         if (!isalnum((unsigned char)*p) && *p != '.')
@@ -180,8 +189,9 @@ static enum status point_create(struct study_point *point, const struct study *s
                                 size_t member, struct error *e)
 {
     struct study_set set = {0};
-    struct run_options options = {.backend = "auto", .renderer = "auto", .isa = "auto"};
+    struct run_options options = {.backend = point->backend, .renderer = "auto", .isa = "auto"};
     strcpy(point->isa, "auto");
+    strcpy(point->backend, "cpu");
     point->energy_drift = point->momentum_drift = (double)NAN;
     enum status status = apply(point, study, rung, method, &set, e);
     if (!status && study->known)

@@ -126,7 +126,8 @@ enum status record_make(struct study_point *point, const char *directory, int re
     if (!status && !(rows && report && log && ended && picture))
         status = error_set(e, STATUS_RUN, "memory is short");
     const char *argv[] = {"sph-render", scene, "-q", "-o", rows, "-o", repeat ? "null" : picture,
-                          "--report", report, "--threads", threads, "--isa", point->isa, NULL};
+                          "--report", report, "--threads", threads, "--isa", point->isa,
+                          "--backend", point->backend, NULL};
     if (!status)
         status = process_run(argv, log, limit, &end, e);
     if (!status) {

@@ -24,7 +24,7 @@ struct study_set {
     size_t count;
 };
 
-/* A curve: what is compared with what. In sets "threads" and "isa" are those of the run. */
+/* A curve: what is compared with what. In sets "threads", "isa" and "backend" are those of the run. */
 struct study_method {
     char name[STUDY_NAME_SIZE];
     struct study_set set;
@@ -125,6 +125,7 @@ struct study_point {
     struct scene *scene;          /* as it runs */
     int threads;                  /* 0: all processors */
     char isa[16];                 /* row of "isas", or "auto" */
+    char backend[16];             /* "cpu" unless the study says cuda or cuda:N */
     double guess;                 /* particles, estimated */
     bool shipped;                 /* the rung changes nothing of the scene */
 

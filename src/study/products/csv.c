@@ -14,7 +14,7 @@ static void write_number(double number, FILE *out)
 
 static void write_names(const struct study_errors *errors, bool seeds, FILE *out)
 {
-    fputs("ladder,method,key,value,outcome,cause,particles,spacing (m),threads,isa,repeats,"
+    fputs("ladder,method,key,value,outcome,cause,particles,spacing (m),threads,isa,backend,repeats,"
           "wall (s),wall median (s),processor (s),ns a particle and step,pairs,steps,rejected,mean step (s),iterations a step,"
           "bytes,energy drift,momentum drift,leak (m),state,folder", out);
     for (size_t i = 0; errors && i < errors->count; i++) {
@@ -45,7 +45,7 @@ static void write_point(const struct study_point *p, const struct study_errors *
     bool ran = p->repeats > 0;
     write_number(ran ? p->particles : p->guess, out);
     write_number(p->scene->particles.spacing, out);
-    fprintf(out, ",%d,%s,%d", p->threads, p->isa, p->repeats);
+    fprintf(out, ",%d,%s,%s,%d", p->threads, p->isa, p->backend, p->repeats);
     const double numbers[] = {study_wall(p), study_wall_median(p), study_cpu(p),
                               study_wall(p) * 1e9 / p->steps / p->particles, p->pairs,
                               p->steps, p->rejected, p->dt, p->iterations, p->bytes,

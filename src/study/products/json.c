@@ -73,7 +73,7 @@ static void write_point(const struct study_points *points, const struct study_po
     json_text("folder", p->folder, out);
     json_text("state", p->hash, out);
     json_text("isa", p->isa, out);
-    fprintf(out, "\"threads\": %d, ", p->threads);
+    fprintf(out, "\"threads\": %d, \"backend\": \"%s\", ", p->threads, p->backend);
     json_number("spacing", p->scene->particles.spacing, out);
     if (p->repeats > 0) {
         json_number("particles", p->particles, out);

@@ -53,6 +53,6 @@ void study_point_name(const struct study_point *point, char *out, size_t size)
 
 void study_point_command(const struct study_point *point, FILE *out)
 {
-    fprintf(out, "sph-render %s/scene.json -o rows.csv --report report.json --threads %d --isa %s",
-            point->folder, point->threads, point->isa);
+    fprintf(out, "sph-render %s/scene.json -o rows.csv --report report.json --threads %d --isa %s --backend %s",
+            point->folder, point->threads, point->isa, point->backend);
 }
