@@ -19,7 +19,7 @@ same() {
     name=$1
     shift
     states cpu "$@" >"$work/cpu" && states "$DEVICE" "$@" >"$work/cuda" &&
-        cmp "$work/cpu" "$work/cuda" >>"$work/err" 2>&1
+        [ -s "$work/cpu" ] && cmp "$work/cpu" "$work/cuda" >>"$work/err" 2>&1
     result $? "$name: $(wc -l <"$work/cpu") states"
     [ ! -s "$work/err" ] || sed 's/^/# /' "$work/err" | head -5
 }
@@ -63,9 +63,12 @@ else
     echo "# compute-sanitizer is not here: memory and races are not checked"
 fi
 "$SPH" -q scenes/dambreak.json --end 0.1 --color vorticity --backend "$DEVICE" -o "$work/gpu-%03d.png" &&
-    "$SPH" -q scenes/dambreak.json --end 0.1 --color vorticity --backend cpu -o "$work/cpu-%03d.png" &&
-    for frame in "$work"/gpu-*.png; do
-        cmp "$frame" "$(echo "$frame" | sed 's/gpu-/cpu-/')" || exit 1
-    done
-result $? "frames by vorticity are those of cpu"
+    "$SPH" -q scenes/dambreak.json --end 0.1 --color vorticity --backend cpu -o "$work/cpu-%03d.png"
+differ=0 frames=0
+for frame in "$work"/gpu-*.png; do
+    frames=$((frames + 1))
+    cmp "$frame" "$(echo "$frame" | sed 's/gpu-/cpu-/')" || differ=1
+done
+[ "$differ" = 0 ] && [ "$frames" -ge 2 ]
+result $? "frames by vorticity are those of cpu: $frames"
 echo "1..$n"

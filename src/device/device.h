@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -70,8 +71,9 @@ struct device_row {
     /* values[k] becomes the sum of those before it, of `count`, values[count] of all. */
     enum status (*scan)(struct device *device, uint32_t *values, size_t count, struct error *e);
     enum status (*wait)(struct device *device, struct error *e);
-    /* Between the two, launches and copies are kept instead of run; NULL when they cannot be. */
-    void (*record)(struct device *device);
+    /* Between the two, launches and copies are kept instead of run; false when they cannot be, and NULL when
+     * they could not: then nothing has run. */
+    bool (*record)(struct device *device);
     struct device_graph *(*recorded)(struct device *device);
     void (*replay)(struct device *device, struct device_graph *graph);
     void (*forget)(struct device *device, struct device_graph *graph);

@@ -28,7 +28,9 @@ struct device_graph {
 /* The device of a thread's calls is the thread's own: frames may be drawn by another than steps. */
 static cudaStream_t stream_of(struct device *d)
 {
-    cudaSetDevice(d->index);
+    int index = -1;
+    if (cudaGetDevice(&index) != cudaSuccess || index != d->index)
+        cudaSetDevice(d->index);
     return d->stream;
 }
 
@@ -78,6 +80,7 @@ static enum status cuda_info(int index, struct device_info *info, struct error *
         result = cudaGetDeviceProperties(&p, index);
     if (result == cudaSuccess)
         result = cudaMemGetInfo(&info->free, &info->memory);
+    cudaGetLastError();
     if (result != cudaSuccess)
         return error_set(e, STATUS_RUN, "cuda:%d: %s", index, cudaGetErrorString(result));
     snprintf(info->name, sizeof info->name, "%s", p.name);
@@ -128,6 +131,11 @@ static void *cuda_create(struct device *d, const char *label, size_t bytes, stru
         return block;
     }
     cudaGetLastError();
+    if (result != cudaErrorMemoryAllocation) {
+        keep(d, result, label);
+        report(d, e);
+        return NULL;
+    }
     cudaMemGetInfo(&available, &all);
     error_set(e, STATUS_RUN, "%s take %.4g GB of the GPU's memory, of which %.4g GB are free (%s): use a "
               "larger particles.spacing or --backend cpu", label, 1e-9 * (double)bytes,
@@ -137,14 +145,14 @@ static void *cuda_create(struct device *d, const char *label, size_t bytes, stru
 
 static void cuda_destroy(struct device *d, void *block)
 {
-    (void)d;
+    stream_of(d);
     cudaFree(block);
 }
 
 static void *cuda_pin(struct device *d, size_t bytes, struct error *e)
 {
     void *block = NULL;
-    (void)d;
+    stream_of(d);
     cudaError_t result = cudaMallocHost(&block, bytes ? bytes : 1);
     if (result == cudaSuccess) {
         memset(block, 0, bytes);
@@ -158,7 +166,7 @@ static void *cuda_pin(struct device *d, size_t bytes, struct error *e)
 
 static void cuda_unpin(struct device *d, void *block)
 {
-    (void)d;
+    stream_of(d);
     cudaFreeHost(block);
 }
 
@@ -247,10 +255,12 @@ static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, s
     return report(d, e);
 }
 
-static void cuda_record(struct device *d)
+static bool cuda_record(struct device *d)
 {
     d->before = d->failure;
-    keep(d, cudaStreamBeginCapture(stream_of(d), cudaStreamCaptureModeThreadLocal), "a recording");
+    bool ok = cudaStreamBeginCapture(stream_of(d), cudaStreamCaptureModeRelaxed) == cudaSuccess;
+    cudaGetLastError();
+    return ok;
 }
 
 /* What fails within a recording has not been run, and will be without it. */
@@ -337,8 +347,11 @@ static double cuda_peak(struct device *d)
 {
     const double flops = 2.0 * (double)PEAK_ROUNDS * (double)PEAK_CHAINS * (double)PEAK_THREADS;
     void *out = NULL;
-    if (cudaMalloc(&out, sizeof(float)) != cudaSuccess)
+    stream_of(d);
+    if (cudaMalloc(&out, sizeof(float)) != cudaSuccess) {
+        cudaGetLastError();
         return 0;
+    }
     double seconds = shortest(d, run_multiply_adds, out);
     cudaFree(out);
     return seconds > 0 ? flops * peak_blocks() / seconds : 0;
@@ -354,6 +367,7 @@ static void run_copy(struct device *d, void *block)
 static double cuda_bandwidth(struct device *d)
 {
     void *block = NULL;
+    stream_of(d);
     if (cudaMalloc(&block, 2 * COPY_BYTES) != cudaSuccess) {
         cudaGetLastError();
         return 0;

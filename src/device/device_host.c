@@ -146,7 +146,7 @@ static enum status host_sort(struct device *d, const struct device_sort *s, stru
     if (!pairs)
         return error_set(e, STATUS_RUN, "out of memory");
     for (size_t i = 0; i < s->count; i++)
-        pairs[i] = (struct keyed){s->keys[i], s->values[i]};
+        pairs[i] = (struct keyed){s->keys[i] & (((uint64_t)1 << s->bits) - 1), s->values[i]};
     qsort(pairs, s->count, sizeof *pairs, keyed_compare);
     for (size_t i = 0; i < s->count; i++) {
         s->sorted_keys[i] = pairs[i].key;
@@ -174,10 +174,10 @@ static enum status host_wait(struct device *d, struct error *e)
     return d->lost ? error_set(e, STATUS_RUN, "out of memory for a recording") : STATUS_OK;
 }
 
-static void host_record(struct device *d)
+static bool host_record(struct device *d)
 {
     d->recording = calloc(1, sizeof *d->recording);
-    d->lost = d->lost || !d->recording;
+    return d->recording != NULL;
 }
 
 static struct device_graph *host_recorded(struct device *d)

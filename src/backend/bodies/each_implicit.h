@@ -72,10 +72,10 @@ static inline void each_wall_volumes(const struct work *w, size_t i)
                                                       : 1 / (w->constants.density * w->number[i]);
 }
 
-/* A part of 1, in 2^-40. */
+/* A part of 1, in 2^-40; what is not a number counts 1. */
 static inline int64_t fixed_part(float x)
 {
-    return (int64_t)((x > 1 ? 1 : x < -1 ? -1 : x) * 0x1p40f);
+    return (int64_t)((x < -1 ? -1 : x < 1 ? x : 1) * 0x1p40f);
 }
 
 static inline int64_t each_excess(const struct work *w, size_t i)

@@ -106,6 +106,7 @@ static enum status weigh_walls(struct backend *b, struct error *e)
     isa_pair(b->isa, PAIR_PASS_DENSITY, &pairs, b->choice.flags)(
         &pairs, 0, (b->wall.count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK);
     pairs.choice = &b->choice;
+    pairs.scalars = &b->scalars;
     pairs.state.position = wall;
     cpu_stage(&pairs, STAGE_wall_volumes);
 done:

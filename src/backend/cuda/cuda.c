@@ -76,9 +76,10 @@ static double bytes_needed(const struct backend *b, const struct particles *p,
                            const struct particles *wall)
 {
     const struct solver_choice *c = &b->choice;
-    double sorting = 2 * sizeof(uint64_t) + 2 * sizeof(uint32_t) + sizeof(struct position);
+    /* keys, values, a spare field, and as much again for the sort itself */
+    double sorting = 2 * (2 * sizeof(uint64_t) + 2 * sizeof(uint32_t)) + sizeof(struct position);
     double cells = 8 * sizeof(uint32_t), fields = 0, wall_fields = 0;
-    double row = solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
+    double row = 1.125 * solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
     for (int f = 0; f < FIELD_COUNT; f++) {
         double size = (double)field_table[f].size;
         fields += (p->now[f] ? size : 0) + (p->before[f] ? size : 0);

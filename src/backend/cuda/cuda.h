@@ -61,6 +61,7 @@ struct backend {
     size_t queued;
     struct recording recordings[GRAPHS_MAX];
     size_t recorded;
+    bool sweeps[PASS_COUNT]; /* passes of the present solve's sweeps */
     int swept;               /* sweeps of the present solve that are counted */
     struct backend_counts counts;
     char text[DEVICE_NAME + 64];

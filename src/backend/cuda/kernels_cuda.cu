@@ -25,6 +25,9 @@ extern "C" {
 #include "backend/cuda/kernels.h"
 }
 
+static_assert(sizeof(struct work) <= KERNEL_ARGS && sizeof(struct order_work) <= KERNEL_ARGS,
+              "arguments of kernels fit");
+
 enum { THREADS = 256, PAIR_THREADS = 128, GRID_MAX = 2048, WARP = 32 };
 
 /* Blocks for one thread each, or, where blocks go on to further particles, at most GRID_MAX. */
@@ -71,17 +74,32 @@ template <int TERMS> static __device__ void sums_clear(block_sums<TERMS> *s)
     __syncthreads();
 }
 
+static __device__ unsigned long long warp_sum(unsigned long long x)
+{
+    for (int step = WARP / 2; step > 0; step /= 2)
+        x += __shfl_xor_sync(~0u, x, step);
+    return x;
+}
+
+/* Every thread of a warp adds a term, 0 for none: those of the same parts together, then one for all. */
 template <int TERMS>
 static __device__ void sums_add(block_sums<TERMS> *s, const double term[], struct exact_sum *all)
 {
     for (int t = 0; t < TERMS; t++) {
-        int64_t part[3];
+        int64_t part[3] = {0, 0, 0};
         int k = exact_split(term[t], part);
         if (k == -2)
             all[t].bad = true;
-        for (int n = 0; n < 3 && k >= 0; n++)
-            if (part[n] != 0)
-                atomicAdd(&s->part[t][k + n], (unsigned long long)part[n]);
+        for (unsigned left = __ballot_sync(~0u, k >= 0); left != 0;) {
+            int lowest = __shfl_sync(~0u, k, __ffs((int)left) - 1);
+            bool mine = k == lowest;
+            for (int n = 0; n < 3; n++) {
+                unsigned long long sum = warp_sum(mine ? (unsigned long long)part[n] : 0);
+                if (threadIdx.x % WARP == 0 && sum != 0)
+                    atomicAdd(&s->part[t][lowest + n], sum);
+            }
+            left &= ~__ballot_sync(~0u, mine);
+        }
     }
 }
 
@@ -95,14 +113,14 @@ template <int TERMS> static __device__ void sums_share(const block_sums<TERMS> *
     }
 }
 
-/* The sum of a term over each 16 threads, one after the other. */
+/* The sum of a term over each 16 threads, one after the other, in the first of them; 0 in the others. */
 static __device__ double sum_in_order(double term)
 {
     const int first = (int)(threadIdx.x % WARP) / PARTICLE_BLOCK * PARTICLE_BLOCK;
     double sum = 0;
     for (int l = 0; l < PARTICLE_BLOCK; l++)
         sum += __shfl_sync(~0u, term, first + l);
-    return sum;
+    return threadIdx.x % PARTICLE_BLOCK == 0 ? sum : 0;
 }
 
 #define LAUNCH(name, blocks, per_block, type)                                                      \
@@ -163,9 +181,10 @@ static __device__ double sum_in_order(double term)
         __shared__ block_sums<terms> sums;                                                         \
         sums_clear(&sums);                                                                         \
         OVER_PARTICLES(w->count)                                                                   \
-        if (base + threadIdx.x < w->count) {                                                       \
-            double term[SCALAR_SUMS];                                                              \
-            each_##name(w, base + threadIdx.x, term);                                              \
+        {                                                                                          \
+            double term[SCALAR_SUMS] = {0};                                                        \
+            if (base + threadIdx.x < w->count)                                                     \
+                each_##name(w, base + threadIdx.x, term);                                          \
             sums_add(&sums, term, w->scalars->sums.exact);                                         \
         }                                                                                          \
         sums_share(&sums, w->scalars->sums.exact);                                                 \
@@ -184,8 +203,7 @@ static __device__ double sum_in_order(double term)
                 each_##name(w, base + threadIdx.x, term);                                          \
             for (int t = 0; t < terms; t++)                                                        \
                 term[t] = sum_in_order(term[t]);                                                   \
-            if (threadIdx.x % PARTICLE_BLOCK == 0)                                                 \
-                sums_add(&sums, term, w->scalars->sums.exact);                                     \
+            sums_add(&sums, term, w->scalars->sums.exact);                                         \
         }                                                                                          \
         sums_share(&sums, w->scalars->sums.exact);                                                 \
     }                                                                                              \
@@ -230,3 +248,12 @@ static __device__ double sum_in_order(double term)
 extern "C" const struct kernel kernels_cuda[KERNEL_COUNT] = {
 #include "backend/cuda/kernel_rows.h"
 };
+
+extern "C" bool kernels_cuda_load(const char **why)
+{
+    struct cudaFuncAttributes attributes;
+    cudaError_t result = cudaFuncGetAttributes(&attributes, kernel_pressure);
+    *why = cudaGetErrorString(result);
+    cudaGetLastError();
+    return result == cudaSuccess;
+}

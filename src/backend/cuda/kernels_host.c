@@ -13,6 +13,10 @@ static inline void order_add64(uint64_t *sum, uint64_t x)
 {
     *sum += x;
 }
+static inline void order_move(void *to, const void *from)
+{
+    memcpy(to, from, 16);
+}
 static inline void records_own(const void *records, real out[4])
 {
     memcpy(out, records, 4 * sizeof *out);

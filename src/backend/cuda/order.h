@@ -1,10 +1,13 @@
 /* Sorting and neighbour rows: what their kernels do for thread i. In the common subset of C and CUDA; the
- * includer says how threads add to a number that they share: order_add, order_add64. */
+ * includer says how threads add to a number that they share (order_add, order_add64), and how 16 bytes are
+ * moved (order_move). */
 #ifndef BACKEND_CUDA_ORDER_H
 #define BACKEND_CUDA_ORDER_H
 
 #include "backend/bodies/near.h"
 #include "backend/cuda/order_work.h"
+
+#include <stdalign.h>
 
 static inline void order_keys(const struct order_work *w, size_t i)
 {
@@ -30,6 +33,10 @@ static inline void order_starts(const struct order_work *w, size_t i)
 static inline void order_permute(const struct order_work *w, size_t i)
 {
     const size_t words = w->size / 4;
+    if (w->size == 16) {
+        order_move((char *)w->to + 16 * i, (const char *)w->from + 16 * (size_t)w->order[i]);
+        return;
+    }
     if (w->size == 1) {
         ((uint8_t *)w->to)[i] = ((const uint8_t *)w->from)[w->order[i]];
         return;
@@ -48,15 +55,25 @@ static inline int order_ranges(const struct order_work *w, size_t i, struct rang
     return 1;
 }
 
+/* The square of the distance of two points, in smoothing lengths. */
+static inline float order_q2(const struct order_work *w, const struct position *point, size_t j)
+{
+    alignas(16) struct position other;
+    order_move(&other, &w->candidates[j]);
+    return near_q2(point->count, other.count, w->scale);
+}
+
 /* Counts the neighbours of point i, and pairs that share a place. */
 static inline void order_row_counts(const struct order_work *w, size_t i)
 {
     struct range range[RANGES_MAX];
     int ranges = order_ranges(w, i, range);
     uint32_t count = 0, coincident = 0;
+    alignas(16) struct position point;
+    order_move(&point, &w->points[i]);
     for (int r = 0; r < ranges; r++)
         for (uint32_t j = range[r].first; j < range[r].last; j++) {
-            float q2 = near_q2(w->points[i].count, w->candidates[j].count, w->scale);
+            float q2 = order_q2(w, &point, j);
             bool other = !w->same || j != i;
             count += q2 < w->limit && other;
             coincident += q2 < w->coincident && other;
@@ -84,9 +101,11 @@ static inline void order_rows(const struct order_work *w, size_t i)
     struct range range[RANGES_MAX];
     int ranges = order_ranges(w, i, range);
     uint32_t *out = w->index + first + lane;
+    alignas(16) struct position point;
+    order_move(&point, &w->points[i]);
     for (int r = 0; r < ranges; r++)
         for (uint32_t j = range[r].first; j < range[r].last; j++) {
-            float q2 = near_q2(w->points[i].count, w->candidates[j].count, w->scale);
+            float q2 = order_q2(w, &point, j);
             if (!(q2 < w->limit) || (w->same && j == i))
                 continue;
             *out = 2 * j;

@@ -108,12 +108,11 @@ static void run_unit(struct backend *b, size_t first, size_t length)
     size_t k = 0;
     while (k < b->recorded && b->recordings[k].key != key)
         k++;
-    if (k == b->recorded && (b->timed || k == GRAPHS_MAX)) {
+    if (k == b->recorded && (b->timed || k == GRAPHS_MAX || !b->row->record(b->device))) {
         launch_unit(b, first, length);
         return;
     }
     if (k == b->recorded) {
-        b->row->record(b->device);
         launch_unit(b, first, length);
         struct device_graph *graph = b->row->recorded(b->device);
         if (!graph) { /* it could not be recorded: run it as it is */
@@ -175,33 +174,31 @@ enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *
     if (begins_loop(pass)) {
         b->in[1 + step->solve].loop = step->loop;
         b->swept = 0;
+        memset(b->sweeps, 0, sizeof b->sweeps);
     }
+    b->sweeps[pass] = step->looping;
     if (push(b, (struct queued){pass, step->solve, step->looping}, e))
         return e->status;
     return b->timed ? run_timed(b, pass, e) : STATUS_OK;
 }
 
 /* Sweeps that were queued, but found the solve ended, count for nothing. */
-static void count_sweeps(struct backend *b, const struct loop *loop, const bool passes[PASS_COUNT])
+static void count_sweeps(struct backend *b, const struct loop *loop)
 {
     int done = loop->again ? loop->sweeps - 1 : loop->sweeps;
     for (int pass = 0; pass < PASS_COUNT; pass++)
-        if (passes[pass])
+        if (b->sweeps[pass])
             count_pass(b, (enum pass_id)pass, done - b->swept);
     b->swept = done;
 }
 
 enum status cuda_settle(struct backend *b, struct step *step, struct error *e)
 {
-    bool swept[PASS_COUNT] = {false}, any = false;
-    for (size_t k = 0; k < b->queued; k++)
-        if (b->queue[k].looping)
-            any = swept[b->queue[k].pass] = true;
     if (cuda_flush(b, e) ||
         b->row->read(b->device, b->out, b->scalars, sizeof *b->out, e))
         return e->status;
     scalars_get(b->out, step);
-    if (any && !b->timed)
-        count_sweeps(b, &b->out->loop, swept);
+    if (step->looping && !b->timed)
+        count_sweeps(b, &b->out->loop);
     return STATUS_OK;
 }

@@ -15,7 +15,7 @@ static enum status open_cuda(struct backend **out, const struct backend_setup *s
 
 static bool available(const char **why)
 {
-    return device_cuda.count(why) > 0;
+    return device_cuda.count(why) > 0 && kernels_cuda_load(why);
 }
 
 static double memory(int device, char name[64], struct error *e)

@@ -16,6 +16,10 @@ static inline void order_add64(uint64_t *sum, uint64_t x)
 {
     share_add64(sum, x);
 }
+static inline void order_move(void *to, const void *from)
+{
+    *(uint4 *)to = *(const uint4 *)from;
+}
 static inline void order_add(uint32_t *sum, uint32_t x)
 {
     atomicAdd(sum, x);
