@@ -16,8 +16,17 @@ left_out() { # FILTER STUDY [OPTION]: all that the filter finds in the results i
     result $? "$1 is valid"
     rm -rf "$work/study"
 }
-for study in studies/*.json studies/[!s]*/*.json studies/se*/*.json tests/studies/*.json; do
+for study in studies/*.json studies/[!gs]*/*.json studies/se*/*.json tests/studies/*.json; do
     left_out '.points[].outcome' "$study"
+done
+for study in studies/gpu/*.json; do # without a GPU that is all there is to say against them
+    if "$SPH" list devices | grep -q cuda:0; then
+        left_out '.points[].outcome' "$study"
+        continue
+    fi
+    "$SPH" study "$study" -o "$work/study" --budget 0.001s -q >"$work/out" 2>&1
+    [ $? = 3 ] && grep -qE 'GPU: (there is no GPU|.*not in this build)' "$work/out"
+    result $? "$study needs a GPU"
 done
 for map in studies/stability/*.json; do
     left_out '.cells[].kind' "$map" --stability

@@ -63,14 +63,14 @@ static float *inverse_of(enum pass_id pass, const struct solver_choice *choice,
 {
     bool projects = pass == PASS_STENCIL || pass == PASS_FLOW;
     return (projects && choice->projection.mixed) || pass == PASS_FACTOR ? arrays->inverse_density
-                                                                        : NULL;
+                                                                         : NULL;
 }
 
 struct work work_make(enum pass_id pass, enum solve solve, bool looping,
-                      const struct solver_choice *choice,
-                      const struct solver_choice *there, struct scalars *scalars,
-                      const struct particles *p, const struct position *wall,
-                      const struct work_arrays *arrays, const struct work_rows *rows)
+                      const struct solver_choice *choice, const struct solver_choice *there,
+                      struct scalars *scalars, const struct particles *p,
+                      const struct position *wall, const struct work_arrays *arrays,
+                      const struct work_rows *rows)
 {
     return (struct work){
         .count = p->count,
@@ -99,9 +99,11 @@ struct work work_make(enum pass_id pass, enum solve solve, bool looping,
         .wall_row_count = rows->wall_count,
         .state = state_make(p),
         .solve = solve_make(p, arrays->residual),
-        .shifting = {.surface = p->before[FIELD_SURFACE], .now = p->now[FIELD_SHIFT],
+        .shifting = {.surface = p->before[FIELD_SURFACE],
+                     .now = p->now[FIELD_SHIFT],
                      .surface_now = p->now[FIELD_SURFACE]},
-        .tension = {.fluid = arrays->fluid, .normal = p->now[FIELD_NORMAL],
+        .tension = {.fluid = arrays->fluid,
+                    .normal = p->now[FIELD_NORMAL],
                     .pressure = tension_pressure_of(pass, p)},
         .projection = projection_make(p),
     };

@@ -51,7 +51,9 @@ FORCE_INLINE void stencil_store(const struct work *w, size_t i, const struct pai
         float ratio = projection_stencil(&w->choice->each, &w->choice->projection, &w->position[k],
                                          t->violent[k], &sums, &t->stencil[k]);
         w->state.density[k] = w->choice->each.rest_density[work_fluid(w, k)] * ratio;
-        t->surface[k] = !w->choice->projection.enclosed && t->stencil[k].lack > w->choice->projection.loose ? 1 : 0;
+        t->surface[k] =
+            !w->choice->projection.enclosed && t->stencil[k].lack > w->choice->projection.loose ? 1
+                                                                                                : 0;
     }
 }
 
@@ -94,7 +96,8 @@ FORCE_INLINE void stencil_wall_row(const struct work *w, const struct lane_point
 }
 
 /* `mixed`: fluids differ in density. */
-FORCE_INLINE void stencil_sum(const struct work *w, size_t i, const bool mixed, const unsigned flags)
+FORCE_INLINE void stencil_sum(const struct work *w, size_t i, const bool mixed,
+                              const unsigned flags)
 {
     real closeness = real_set(w->choice->projection.closeness), far = real_set(16);
     real laplacian = real_set(w->choice->projection.laplacian);
@@ -112,8 +115,9 @@ FORCE_INLINE void stencil_sum(const struct work *w, size_t i, const bool mixed, 
         p.q = real_below(k, w->row_count + i, p.q, far);
         real share = laplacian;
         if (mixed)
-            share = laplacian * pair_share(reference, inverse, lookup_load(w->inverse_density,
-                                           row.index + (size_t)k * PARTICLE_BLOCK));
+            share = laplacian * pair_share(reference, inverse,
+                                           lookup_load(w->inverse_density,
+                                                       row.index + (size_t)k * PARTICLE_BLOCK));
         real f = pair_stencil(&s, &p, other[3], closeness, share, flags);
         real_store(row.weight + (size_t)k * PARTICLE_BLOCK, f);
     }
@@ -122,8 +126,8 @@ FORCE_INLINE void stencil_sum(const struct work *w, size_t i, const bool mixed, 
     stencil_store(w, i, &s, walls);
 }
 
-/* Whether the particle or any neighbour is at the surface; neighbours at the rim of the support count
- * less, so that rows may hold more than needed. And sum F f_j of the last step's shift. */
+/* Whether the particle or any neighbour is at the surface; neighbours at the rim of the support
+ * count less, so that rows may hold more than needed. And sum F f_j of the last step's shift. */
 FORCE_INLINE void surface_sum(const struct work *w, size_t i)
 {
     const struct projection_work *t = &w->projection;
@@ -141,8 +145,8 @@ FORCE_INLINE void surface_sum(const struct work *w, size_t i)
     real_store(out, most);
     real_store(shift, sum);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-        projection_surface(&w->choice->each, &w->choice->projection, work_fluid(w, i + l), out[l], settled(shift[l]),
-                           &t->stencil[i + l], &t->unknown[i + l]);
+        projection_surface(&w->choice->each, &w->choice->projection, work_fluid(w, i + l), out[l],
+                           settled(shift[l]), &t->stencil[i + l], &t->unknown[i + l]);
     }
 }
 
@@ -155,11 +159,12 @@ FORCE_INLINE void jump_store(const struct work *w, size_t k, float sum, float we
     for (int a = 0; a < 3; a++)
         lacks[a] = h * (s->toward[a] + s->wall[a]);
     if (w->choice->tension.between)
-        tension_between(&w->choice->tension, work_fluid(w, k), &t->normal[k], lacks, own, &w->rate[k]);
+        tension_between(&w->choice->tension, work_fluid(w, k), &t->normal[k], lacks, own,
+                        &w->rate[k]);
 }
 
-/* The pressure that tension gives the surface around: its curvature is known at the surface only, and
- * particles see that of their own fluid. Between fluids tension is a force. */
+/* The pressure that tension gives the surface around: its curvature is known at the surface only,
+ * and particles see that of their own fluid. Between fluids tension is a force. */
 FORCE_INLINE void jump_sum(const struct work *w, size_t i)
 {
     const struct tension_work *t = &w->tension;
@@ -196,7 +201,8 @@ static inline void flow_store(const struct work *w, size_t k, const float sum[14
     s->speed = sqrtf(close > 0 ? close : 0);
     projection_fickian(c, w->id[k], w->scalars->dt, tensor, s);
     projection_stray(c, sum + 11, s);
-    projection_row(c, s, w->scalars->before, divergence, w->motion[k].pressure, settled(sum[9]), row);
+    projection_row(c, s, w->scalars->before, divergence, w->motion[k].pressure, settled(sum[9]),
+                   row);
 }
 
 FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
@@ -206,8 +212,8 @@ FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
     real volume, own[4], zero = real_set(0);
     real inverse = mixed ? real_load(w->inverse_density + i) : zero;
     struct lane_point point = point_load(w, i, &volume);
-    struct pair_flows s = {{zero, zero, zero, zero, zero, zero, zero, zero, zero},
-                           {zero, zero, zero}, zero, zero};
+    struct pair_flows s = {
+        {zero, zero, zero, zero, zero, zero, zero, zero, zero}, {zero, zero, zero}, zero, zero};
     float out[14][LANES];
     records_own(w->motion + i, own);
     for (uint32_t k = 0; k < row.length; k++) {
@@ -217,8 +223,7 @@ FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
         records_load(w->position, index, other);
         records_load(w->motion, index, motion);
         if (mixed)
-            plain = f * pair_unshare(reference, inverse,
-                                     lookup_load(w->inverse_density, index));
+            plain = f * pair_unshare(reference, inverse, lookup_load(w->inverse_density, index));
         pair_distance(&point, other, x);
         pair_flow(&s, x, own, motion, f, plain);
     }
@@ -259,12 +264,10 @@ FORCE_INLINE void product_sum(const struct work *w, size_t i)
     }
     if (k < row.length)
         even = real_fma(real_load(row.weight + (size_t)k * PARTICLE_BLOCK),
-                        lookup_load(t->direction, row.index + (size_t)k * PARTICLE_BLOCK),
-                        even);
+                        lookup_load(t->direction, row.index + (size_t)k * PARTICLE_BLOCK), even);
     real_store(out, even + odd);
     for (size_t l = 0; l < LANES && i + l < w->count; l++)
-        t->product[i + l] =
-            t->unknown[i + l].diagonal * t->direction[i + l] - settled(out[l]);
+        t->product[i + l] = t->unknown[i + l].diagonal * t->direction[i + l] - settled(out[l]);
 }
 
 /* Velocity, acceleration and shift from the sums F (p_i - p_j) x of the three fields. */
@@ -289,7 +292,8 @@ static inline void slopes_store(const struct work *w, size_t k, const float sum[
     projection_gradient(s, lighter, t->trial[k].shift, d + 6, none, gradient[2]);
     projection_lift(&w->choice->each, gradient[2], s->crowd);
     float violent = t->violent[k], part;
-    part = projection_trust(&w->choice->each, w->scalars->before, w->scalars->dt, gradient[0], gradient[1], rest, &violent);
+    part = projection_trust(&w->choice->each, w->scalars->before, w->scalars->dt, gradient[0],
+                            gradient[1], rest, &violent);
     t->surface[k] = violent;
     for (int a = 0; a < 3; a++) {
         rate->acceleration[a] -= part * gradient[1][a] / rest;

@@ -48,12 +48,13 @@ FORCE_INLINE void shift_store(const struct work *w, size_t i, const struct pair_
     real_store(sum[4], s->speed2);
     real_store(sum[5], s->surface);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-        struct shift_sums sums = {
-            {gradient * settled(sum[0][l]), gradient * settled(sum[1][l]),
-             gradient * settled(sum[2][l])},
-            gradient * w->choice->each.h * sum[3][l], settled(sum[4][l]), sum[5][l]};
-        t->surface_now[i + l] = shift_choose(&w->choice->each, &w->position[i + l], w->id[i + l], sums,
-                                             &t->now[i + l]);
+        struct shift_sums sums = {{gradient * settled(sum[0][l]), gradient * settled(sum[1][l]),
+                                   gradient * settled(sum[2][l])},
+                                  gradient * w->choice->each.h * sum[3][l],
+                                  settled(sum[4][l]),
+                                  sum[5][l]};
+        t->surface_now[i + l] =
+            shift_choose(&w->choice->each, &w->position[i + l], w->id[i + l], sums, &t->now[i + l]);
     }
 }
 

@@ -1,6 +1,7 @@
 /* The loops around the implicit solver's pair bodies; part of pair_bodies.h. */
 
-/* Sums over the row of LANES particles, two entries at a time; `body` adds entry `index` to them. */
+/* Sums over the row of LANES particles, two entries at a time; `body` adds entry `index` to them.
+ */
 #define ROW_LOOP(row, length, body)                                                                \
     do {                                                                                           \
         uint32_t row_k = 0;                                                                        \
@@ -51,8 +52,8 @@ FORCE_INLINE void factor_store(const struct work *w, size_t i, const struct pair
         int fluid = work_fluid(w, k);
         const struct position *x = &w->position[k];
         float gradient[3] = {sum[0][l], sum[1][l], sum[2][l]};
-        implicit_factor(&w->choice->each, &w->choice->implicit, fluid, x, sum[3][l], gradient, sum[4][l],
-                        &solve->factor[k], &solve->density[k]);
+        implicit_factor(&w->choice->each, &w->choice->implicit, fluid, x, sum[3][l], gradient,
+                        sum[4][l], &solve->factor[k], &solve->density[k]);
         solve->motion[k] = w->motion[k];
         solve->load[k] = *x;
     }
@@ -64,24 +65,24 @@ FORCE_INLINE void factor_sum(const struct work *w, size_t i, const unsigned flag
     real volume, zero = real_set(0);
     struct lane_point point = point_load(w, i, &volume);
     struct pair_factors s = {volume * real_set(w->constants.self), zero, zero, zero, zero};
-    factor_row(w, &point, w->position, w->rows[block].index + lane, w->row_count + i, false,
-               &s, flags);
+    factor_row(w, &point, w->position, w->rows[block].index + lane, w->row_count + i, false, &s,
+               flags);
     if (w->wall)
-        factor_row(w, &point, w->wall, w->wall_rows[block].index + lane,
-                   w->wall_row_count + i, true, &s, flags);
+        factor_row(w, &point, w->wall, w->wall_rows[block].index + lane, w->wall_row_count + i,
+                   true, &s, flags);
     factor_store(w, i, &s);
 }
 
 /* The trial velocity (or, in a shift, displacement / dt) of the particle at k; with `project` its
  * new velocity. */
-FORCE_INLINE void push_store(const struct work *w, size_t k, const float sum[3],
-                              bool project)
+FORCE_INLINE void push_store(const struct work *w, size_t k, const float sum[3], bool project)
 {
     const struct solve_work *solve = &w->solve;
     int fluid = work_fluid(w, k);
     struct motion *motion = &solve->motion[k], *flux = &solve->flux[k];
     float a[3], volume = w->choice->implicit.volume[fluid];
-    implicit_push(&w->choice->each, &w->choice->implicit, fluid, &solve->factor[k], motion->pressure, sum, a);
+    implicit_push(&w->choice->each, &w->choice->implicit, fluid, &solve->factor[k],
+                  motion->pressure, sum, a);
     for (int d = 0; d < 3; d++) {
         float v = (w->solve_of == SOLVE_SHIFT ? 0 : motion->velocity[d]) + w->scalars->dt * a[d];
         if (project)
@@ -120,12 +121,10 @@ FORCE_INLINE void sweep_store(const struct work *w, size_t k, float sum)
     float ratio = solve->factor[k].ratio;
     float base = implicit_base(&w->choice->implicit, w->solve_of, ratio, w->scalars->target), raw;
     float *pressure = &solve->motion[k].pressure, error;
-    error = implicit_sweep(&w->choice->implicit, fluid, w->scalars->dt, base, w->scalars->offset, &raw,
-                           &solve->factor[k],
-                           solve->flux[k].velocity, sum,
+    error = implicit_sweep(&w->choice->implicit, fluid, w->scalars->dt, base, w->scalars->offset,
+                           &raw, &solve->factor[k], solve->flux[k].velocity, sum,
                            implicit_holds(&w->choice->implicit, w->solve_of, ratio),
-                           w->scalars->relax, w->scalars->momentum,
-                           &solve->warm[k].last, pressure);
+                           w->scalars->relax, w->scalars->momentum, &solve->warm[k].last, pressure);
     solve->load[k].volume = w->choice->implicit.volume[fluid] * *pressure;
     residual_count(w, k, fixed_part(error), fixed_part(raw));
 }

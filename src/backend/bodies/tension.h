@@ -1,5 +1,5 @@
-/* The loops around the pair bodies of surface tension; part of pair_bodies.h. Entries that repeat the
- * particle itself, or lie beyond the support, add nothing to the sums. */
+/* The loops around the pair bodies of surface tension; part of pair_bodies.h. Entries that repeat
+ * the particle itself, or lie beyond the support, add nothing to the sums. */
 
 #include "solver/pair_tension.h"
 
@@ -28,8 +28,8 @@ FORCE_INLINE void normals_row(const struct work *w, const struct lane_point *poi
 }
 
 /* Wall particles belong to every fluid. */
-FORCE_INLINE void normals_wall_row(const struct work *w, const struct lane_point *point,
-                                   size_t i, real sum[3])
+FORCE_INLINE void normals_wall_row(const struct work *w, const struct lane_point *point, size_t i,
+                                   real sum[3])
 {
     const uint32_t *row = w->wall_rows[i / PARTICLE_BLOCK].index + i % PARTICLE_BLOCK;
     uint32_t length = longest(w->wall_row_count + i);
@@ -72,7 +72,8 @@ FORCE_INLINE void normals_sum(const struct work *w, size_t i)
         real_store(out[a], sum[a]);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
         float own[3] = {settled(out[0][l]), settled(out[1][l]), settled(out[2][l])};
-        t->normal[i + l] = tension_normal(&w->choice->each, &w->choice->tension, &w->position[i + l], own);
+        t->normal[i + l] =
+            tension_normal(&w->choice->each, &w->choice->tension, &w->position[i + l], own);
     }
 }
 
@@ -88,7 +89,8 @@ FORCE_INLINE void tension_sum(const struct work *w, size_t i)
     real_store(out[1], sum[1]);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
         const int f = work_fluid(w, i + l);
-        float curvature = tension_curvature(&w->choice->tension, settled(out[0][l]), settled(out[1][l]));
+        float curvature =
+            tension_curvature(&w->choice->tension, settled(out[0][l]), settled(out[1][l]));
         if (t->pressure)
             t->pressure[i + l] = tension_pressure(&w->choice->tension, f, curvature);
         else

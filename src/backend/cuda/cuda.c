@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static enum status upload(struct backend *b, void *to, const void *from, size_t bytes, struct error *e)
+static enum status upload(struct backend *b, void *to, const void *from, size_t bytes,
+                          struct error *e)
 {
     b->row->upload(b->device, to, from, bytes);
     return b->row->wait(b->device, e);
@@ -47,11 +48,20 @@ void cuda_close(struct backend *b)
     if (!b)
         return;
     if (b->device) {
-        void *const arrays[] = {
-            b->there, b->scalars, b->cells.start, b->wall_cells.start, b->curl_cells.start,
-            b->sorting.keys, b->sorting.sorted_keys, b->sorting.values, b->sorting.order,
-            b->sorting.spare, b->arrays.number, b->arrays.inverse_density, b->arrays.fluid,
-            b->arrays.rest};
+        void *const arrays[] = {b->there,
+                                b->scalars,
+                                b->cells.start,
+                                b->wall_cells.start,
+                                b->curl_cells.start,
+                                b->sorting.keys,
+                                b->sorting.sorted_keys,
+                                b->sorting.values,
+                                b->sorting.order,
+                                b->sorting.spare,
+                                b->arrays.number,
+                                b->arrays.inverse_density,
+                                b->arrays.fluid,
+                                b->arrays.rest};
         cuda_forget(b);
         for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
             b->row->destroy(b->device, arrays[k]);
@@ -96,10 +106,11 @@ static enum status check_memory(const struct backend *b, const struct device_inf
     double needed = bytes_needed(b, p, wall), have = (double)info->free;
     if (needed <= have || have == 0)
         return STATUS_OK;
-    return error_set(e, STATUS_RUN, "%zu particles and %zu in walls take %.4g GB on %s, which has "
+    return error_set(e, STATUS_RUN,
+                     "%zu particles and %zu in walls take %.4g GB on %s, which has "
                      "%.4g GB free: use a larger particles.spacing, another device (--backend "
-                     "cuda:N), or --backend cpu", p->count, wall->count, 1e-9 * needed, info->name,
-                     1e-9 * have);
+                     "cuda:N), or --backend cpu",
+                     p->count, wall->count, 1e-9 * needed, info->name, 1e-9 * have);
 }
 
 static enum status allocate_sorting(struct backend *b, struct error *e)
@@ -116,7 +127,11 @@ static enum status allocate_sorting(struct backend *b, struct error *e)
 
 static enum status allocate_arrays(struct backend *b, struct error *e)
 {
-    const struct { float **array; const char *label; bool wanted; } arrays[] = {
+    const struct {
+        float **array;
+        const char *label;
+        bool wanted;
+    } arrays[] = {
         {&b->arrays.inverse_density, "kernel sums",
          b->choice.is_implicit && b->particles.now[FIELD_FLUID]},
         {&b->arrays.number, "kernel sums", !b->choice.is_implicit && !b->choice.continuity},
@@ -125,8 +140,8 @@ static enum status allocate_arrays(struct backend *b, struct error *e)
          b->choice.tension.any && b->particles.now[FIELD_FLUID]},
     };
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
-        if (arrays[k].wanted && !(*arrays[k].array = cuda_array(b, arrays[k].label, b->particles.count,
-                                                                sizeof(float), e)))
+        if (arrays[k].wanted && !(*arrays[k].array = cuda_array(
+                                      b, arrays[k].label, b->particles.count, sizeof(float), e)))
             return e->status;
     b->there = b->row->create(b->device, "constants", sizeof *b->there, e);
     b->scalars = b->row->create(b->device, "constants", sizeof *b->scalars, e);
@@ -169,16 +184,15 @@ static enum status see_walls(struct backend *b, struct error *e)
     if (particles_create(&b->seen_wall, b->wall.count, fields, e))
         return e->status;
     for (int f = 0; f < FIELD_COUNT; f++)
-        if (fields & FIELD_BIT(f) &&
-            b->row->read(b->device, b->seen_wall.now[f], b->wall.now[f],
-                         b->wall.count * field_table[f].size, e))
+        if (fields & FIELD_BIT(f) && b->row->read(b->device, b->seen_wall.now[f], b->wall.now[f],
+                                                  b->wall.count * field_table[f].size, e))
             return e->status;
     return STATUS_OK;
 }
 
-enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels, struct backend **out,
-                         const struct backend_setup *setup, struct particles *particles,
-                         struct particles *walls, struct error *e)
+enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels,
+                         struct backend **out, const struct backend_setup *setup,
+                         struct particles *particles, struct particles *walls, struct error *e)
 {
     struct backend *b = calloc(1, sizeof *b);
     struct device_info info;
@@ -213,8 +227,7 @@ enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, st
     e->status = STATUS_OK;
     if (pass != PASS_SORT && pass != PASS_NEIGHBOURS && pass != PASS_CURL)
         return cuda_queue(b, pass, step, e);
-    if (cuda_flush(b, e))
-        return e->status;
+    cuda_flush(b);
     if (pass == PASS_SORT)
         cuda_sort(b, &b->particles, &b->cells, step->list_radius, e);
     else if (pass == PASS_NEIGHBOURS)
@@ -237,8 +250,7 @@ const struct particles *cuda_state(struct backend *b, unsigned fields, struct er
 {
     const struct particles *p = &b->particles;
     e->status = STATUS_OK;
-    if (cuda_flush(b, e))
-        return NULL;
+    cuda_flush(b);
     b->seen.count = p->count;
     b->seen.fields = p->fields;
     for (int f = 0; f < FIELD_COUNT; f++) {

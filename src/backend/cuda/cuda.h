@@ -11,7 +11,7 @@ struct device_rows {
     uint32_t *count, *length;
     uint32_t *index;
     float *weight;
-    size_t room;     /* entries of index, in blocks of 16 */
+    size_t room; /* entries of index, in blocks of 16 */
     bool weighted;
     struct row_facts *facts;
     double entries;  /* sum of count */
@@ -47,9 +47,9 @@ struct backend {
     struct solver_choice *there; /* the same on the device */
     struct space space;
     bool all, timed;
-    struct particles particles, wall;      /* on the device */
-    struct particles seen, seen_wall;      /* copies in host memory */
-    struct particles curl;                 /* sorted copy for vorticity, on the device */
+    struct particles particles, wall; /* on the device */
+    struct particles seen, seen_wall; /* copies in host memory */
+    struct particles curl;            /* sorted copy for vorticity, on the device */
     struct cells cells, wall_cells, curl_cells;
     struct device_sorting sorting;
     struct device_rows rows, wall_rows, curl_rows;
@@ -67,7 +67,8 @@ struct backend {
     char text[DEVICE_NAME + 64];
 };
 
-static inline void cuda_launch(struct backend *b, enum kernel_id kernel, size_t threads, const void *work)
+static inline void cuda_launch(struct backend *b, enum kernel_id kernel, size_t threads,
+                               const void *work)
 {
     b->row->launch(b->device, &b->kernels[kernel], threads, work);
 }
@@ -79,15 +80,16 @@ void *cuda_array(struct backend *b, const char *label, size_t count, size_t size
 enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cells, double radius,
                       struct error *e);
 
-enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points, bool weighted,
-                             struct error *e);
+enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points,
+                             bool weighted, struct error *e);
 void cuda_rows_free(struct backend *b, struct device_rows *rows);
 
-/* Builds the rows of `points` among `candidates`, which are in `cells`; `same` when they are the points.
- * Sets *moved when rows are elsewhere in memory than before. */
-enum status cuda_rows_build(struct backend *b, struct device_rows *rows, const struct particles *points,
-                            const struct particles *candidates, const struct cells *cells,
-                            bool same, double radius, bool *moved, struct error *e);
+/* Builds the rows of `points` among `candidates`, which are in `cells`; `same` when they are the
+ * points. Sets *moved when rows are elsewhere in memory than before. */
+enum status cuda_rows_build(struct backend *b, struct device_rows *rows,
+                            const struct particles *points, const struct particles *candidates,
+                            const struct cells *cells, bool same, double radius, bool *moved,
+                            struct error *e);
 
 /* Rows of particles and walls; moves particles apart that share a place. */
 enum status cuda_neighbours(struct backend *b, double radius, struct error *e);
@@ -102,17 +104,18 @@ enum status cuda_curl(struct backend *b, double radius, struct error *e);
 struct work cuda_work(struct backend *b, enum pass_id pass, enum solve solve, bool looping);
 
 /* Queues a pass, runs what is queued, and waits for it. */
-enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *step, struct error *e);
-enum status cuda_flush(struct backend *b, struct error *e);
+enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *step,
+                       struct error *e);
+void cuda_flush(struct backend *b);
 enum status cuda_settle(struct backend *b, struct step *step, struct error *e);
 
 /* Forgets recorded graphs: arrays are elsewhere. */
 void cuda_forget(struct backend *b);
 
 /* The back end on a device of a launch layer. */
-enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels, struct backend **out,
-                         const struct backend_setup *setup, struct particles *particles,
-                         struct particles *walls, struct error *e);
+enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels,
+                         struct backend **out, const struct backend_setup *setup,
+                         struct particles *particles, struct particles *walls, struct error *e);
 
 /* What rows of back ends hold (struct backend_row). */
 enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, struct error *e);

@@ -1,5 +1,5 @@
-/* Vorticity of the present state, for a frame: a sorted copy of the particles with neighbour rows of its
- * own, so that the order and the rows of the steps, hence their bits, stay as they are. */
+/* Vorticity of the present state, for a frame: a sorted copy of the particles with neighbour rows
+ * of its own, so that the order and the rows of the steps, hence their bits, stay as they are. */
 #include "backend/cuda/cuda.h"
 
 static const enum field copied[] = {FIELD_POSITION, FIELD_MOTION, FIELD_ID};
@@ -35,14 +35,21 @@ enum status cuda_curl(struct backend *b, double radius, struct error *e)
     if (cuda_sort(b, p, &b->curl_cells, radius, e) ||
         cuda_rows_build(b, &b->curl_rows, p, p, &b->curl_cells, true, radius, &moved, e))
         return e->status;
-    struct work work = {.count = p->count, .constants = b->choice.pair, .choice = b->there,
-                        .scalars = b->scalars, .position = p->now[FIELD_POSITION],
-                        .motion = p->now[FIELD_MOTION], .rows = b->curl_rows.block,
-                        .row_count = b->curl_rows.count, .vorticity = p->now[FIELD_VORTICITY]};
-    work.constants.inverse_h = 1 / b->choice.each.h; /* some solvers keep a factor of theirs in it */
+    struct work work = {.count = p->count,
+                        .constants = b->choice.pair,
+                        .choice = b->there,
+                        .scalars = b->scalars,
+                        .position = p->now[FIELD_POSITION],
+                        .motion = p->now[FIELD_MOTION],
+                        .rows = b->curl_rows.block,
+                        .row_count = b->curl_rows.count,
+                        .vorticity = p->now[FIELD_VORTICITY]};
+    work.constants.inverse_h =
+        1 / b->choice.each.h; /* some solvers keep a factor of theirs in it */
     cuda_launch(b, KERNEL_pair_curl, p->count, &work);
     struct order_work back = {.to = b->particles.now[FIELD_VORTICITY],
-                              .from = p->now[FIELD_VORTICITY], .order = b->sorting.order};
+                              .from = p->now[FIELD_VORTICITY],
+                              .order = b->sorting.order};
     cuda_launch(b, KERNEL_order_hand_back, p->count, &back);
     return b->row->wait(b->device, e);
 }

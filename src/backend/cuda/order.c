@@ -62,11 +62,15 @@ enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cell
     cells_resize(cells, &b->space, radius, p->count);
     if (reserve_cells(b, cells, e))
         return e->status;
-    struct order_work w = {.cells = *cells, .points = p->now[FIELD_POSITION],
-                           .id = p->now[FIELD_ID], .point_count = p->count, .keys = s->keys,
-                           .order = s->values, .id_bits = bits_of(p->count)};
-    struct device_sort sort = {s->keys, s->sorted_keys, s->values, s->order, p->count,
-                               w.id_bits + bits_of(cells->count)};
+    struct order_work w = {.cells = *cells,
+                           .points = p->now[FIELD_POSITION],
+                           .id = p->now[FIELD_ID],
+                           .point_count = p->count,
+                           .keys = s->keys,
+                           .order = s->values,
+                           .id_bits = bits_of(p->count)};
+    struct device_sort sort = {s->keys,  s->sorted_keys, s->values,
+                               s->order, p->count,       w.id_bits + bits_of(cells->count)};
     if (p->count > 0) {
         cuda_launch(b, KERNEL_order_keys, p->count, &w);
         if (b->row->sort(b->device, &sort, e))
@@ -79,8 +83,8 @@ enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cell
     return STATUS_OK;
 }
 
-enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points, bool weighted,
-                             struct error *e)
+enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points,
+                             bool weighted, struct error *e)
 {
     size_t blocks = points / PARTICLE_BLOCK + 2;
     *rows = (struct device_rows){.weighted = weighted};
@@ -94,15 +98,15 @@ enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t
 void cuda_rows_free(struct backend *b, struct device_rows *rows)
 {
     void *const arrays[] = {rows->block, rows->length, rows->count,
-                            rows->facts, rows->index, rows->weight};
+                            rows->facts, rows->index,  rows->weight};
     for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
         b->row->destroy(b->device, arrays[k]);
     *rows = (struct device_rows){0};
 }
 
 /* Room for `blocks` times 16 entries, and some more. */
-static enum status reserve_rows(struct backend *b, struct device_rows *rows, size_t blocks, bool *moved,
-                                struct error *e)
+static enum status reserve_rows(struct backend *b, struct device_rows *rows, size_t blocks,
+                                bool *moved, struct error *e)
 {
     if (blocks <= rows->room && rows->index)
         return STATUS_OK;
@@ -121,21 +125,29 @@ static enum status reserve_rows(struct backend *b, struct device_rows *rows, siz
     return STATUS_OK;
 }
 
-enum status cuda_rows_build(struct backend *b, struct device_rows *rows, const struct particles *points,
-                            const struct particles *candidates, const struct cells *cells,
-                            bool same, double radius, bool *moved, struct error *e)
+enum status cuda_rows_build(struct backend *b, struct device_rows *rows,
+                            const struct particles *points, const struct particles *candidates,
+                            const struct cells *cells, bool same, double radius, bool *moved,
+                            struct error *e)
 {
     const struct device_row *d = b->row;
     double reach = radius / b->choice.smoothing_length;
     size_t blocks = (points->count + PARTICLE_BLOCK - 1) / PARTICLE_BLOCK;
     struct row_facts facts;
-    uint32_t total;
-    struct order_work w = {
-        .cells = *cells, .points = points->now[FIELD_POSITION], .point_count = points->count,
-        .candidates = candidates->now[FIELD_POSITION], .candidate_count = candidates->count,
-        .same = same, .all = b->all, .limit = (float)(reach * reach),
-        .coincident = same ? part_near2(b->choice.spacing, b->choice.smoothing_length) : 0,
-        .count = rows->count, .length = rows->length, .block = rows->block, .facts = rows->facts};
+    struct order_work w = {.cells = *cells,
+                           .points = points->now[FIELD_POSITION],
+                           .point_count = points->count,
+                           .candidates = candidates->now[FIELD_POSITION],
+                           .candidate_count = candidates->count,
+                           .same = same,
+                           .all = b->all,
+                           .limit = (float)(reach * reach),
+                           .coincident =
+                               same ? part_near2(b->choice.spacing, b->choice.smoothing_length) : 0,
+                           .count = rows->count,
+                           .length = rows->length,
+                           .block = rows->block,
+                           .facts = rows->facts};
     memcpy(w.scale, b->choice.pair.scale, sizeof w.scale);
     rows->entries = 0;
     rows->coincident = false;
@@ -144,10 +156,11 @@ enum status cuda_rows_build(struct backend *b, struct device_rows *rows, const s
     d->clear(b->device, rows->facts, sizeof facts);
     cuda_launch(b, KERNEL_order_row_counts, points->count, &w);
     cuda_launch(b, KERNEL_order_row_lengths, blocks, &w);
-    if (d->scan(b->device, rows->length, blocks, e) ||
-        d->read(b->device, &total, rows->length + blocks, sizeof total, e) ||
-        d->read(b->device, &facts, rows->facts, sizeof facts, e) ||
-        reserve_rows(b, rows, total, moved, e))
+    if (d->scan(b->device, rows->length, blocks, e))
+        return e->status;
+    d->copy(b->device, &rows->facts->total, rows->length + blocks, sizeof facts.total);
+    if (d->read(b->device, &facts, rows->facts, sizeof facts, e) ||
+        reserve_rows(b, rows, facts.total, moved, e))
         return e->status;
     w.index = rows->index;
     w.weight = rows->weight;
@@ -198,7 +211,9 @@ enum status cuda_weigh_walls(struct backend *b, struct error *e)
 {
     struct particles *wall = &b->wall;
     struct device_rows rows = {0};
-    struct work work = {.count = wall->count, .constants = b->choice.pair, .choice = b->there,
+    struct work work = {.count = wall->count,
+                        .constants = b->choice.pair,
+                        .choice = b->there,
                         .scalars = b->scalars};
     bool moved;
     work.number = cuda_array(b, "kernel sums", wall->count, sizeof(float), e);
@@ -209,8 +224,9 @@ enum status cuda_weigh_walls(struct backend *b, struct error *e)
     work.position = work.state.position = wall->now[FIELD_POSITION];
     work.rows = rows.block;
     work.row_count = rows.count;
-    cuda_launch(b, KERNEL_pair_density_wendland + pair_find(PAIR_PASS_DENSITY, &work, b->choice.flags),
-                   wall->count, &work);
+    cuda_launch(b,
+                KERNEL_pair_density_wendland + pair_find(PAIR_PASS_DENSITY, &work, b->choice.flags),
+                wall->count, &work);
     cuda_launch(b, KERNEL_stage_wall_volumes, wall->count, &work);
     b->row->wait(b->device, e);
 done:

@@ -10,7 +10,7 @@
 struct row_facts {
     uint64_t entries;
     uint32_t coincident; /* pairs that share a place */
-    uint32_t spare;
+    uint32_t total;      /* entries of the longest rows of all blocks, of 16 each */
 };
 
 struct order_work {

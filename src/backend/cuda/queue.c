@@ -42,10 +42,10 @@ static void launch_pass(struct backend *b, const struct queued *q)
     for (size_t k = 0; k < count; k++) {
         if (!stage_wanted(&stage[k], &b->choice, &work))
             continue;
-        enum kernel_id kernel = stage[k].is_pair
-                                 ? KERNEL_pair_density_wendland +
-                                       pair_find(stage[k].pair, &work, b->choice.flags)
-                                 : (enum kernel_id)stage[k].id;
+        enum kernel_id kernel =
+            stage[k].is_pair
+                ? KERNEL_pair_density_wendland + pair_find(stage[k].pair, &work, b->choice.flags)
+                : (enum kernel_id)stage[k].id;
         size_t threads = stage_is_scalar(&stage[k]) ? 1 : work.count;
         if (threads > 0)
             cuda_launch(b, kernel, threads, &work);
@@ -131,45 +131,43 @@ void cuda_forget(struct backend *b)
     b->recorded = 0;
 }
 
-enum status cuda_flush(struct backend *b, struct error *e)
+void cuda_flush(struct backend *b)
 {
     for (size_t first = 0, length; first < b->queued; first += length) {
         length = unit_length(b, first);
         run_unit(b, first, length);
     }
     b->queued = 0;
-    (void)e;
-    return STATUS_OK;
 }
 
-static enum status push(struct backend *b, struct queued q, struct error *e)
+static void push(struct backend *b, struct queued q)
 {
-    if (b->queued == QUEUE_MAX && cuda_flush(b, e))
-        return e->status;
+    if (b->queued == QUEUE_MAX)
+        cuda_flush(b);
     b->queue[b->queued++] = q;
     if (q.pass < PASS_COUNT && (!q.looping || b->timed)) /* timed, a sweep is known to go on */
         count_pass(b, q.pass, 1);
-    return STATUS_OK;
 }
 
 /* With `timed` each pass is waited for, so that its seconds are its own. */
 static enum status run_timed(struct backend *b, enum pass_id pass, struct error *e)
 {
     double start = clock_seconds();
-    if (cuda_flush(b, e) || b->row->wait(b->device, e))
+    cuda_flush(b);
+    if (b->row->wait(b->device, e))
         return e->status;
     b->counts.seconds[pass] += clock_seconds() - start;
     return STATUS_OK;
 }
 
-enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *step, struct error *e)
+enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *step,
+                       struct error *e)
 {
     struct scalars *in = &b->in[0];
     const float now[3] = {step->dt, step->before, step->resume};
     if (memcmp(&in->dt, now, sizeof now) != 0) { /* dt, before, resume lie side by side */
         memcpy(&in->dt, now, sizeof now);
-        if (push(b, (struct queued){.pass = PASS_COUNT}, e))
-            return e->status;
+        push(b, (struct queued){.pass = PASS_COUNT});
     }
     if (begins_loop(pass)) {
         b->in[1 + step->solve].loop = step->loop;
@@ -177,8 +175,7 @@ enum status cuda_queue(struct backend *b, enum pass_id pass, const struct step *
         memset(b->sweeps, 0, sizeof b->sweeps);
     }
     b->sweeps[pass] = step->looping;
-    if (push(b, (struct queued){pass, step->solve, step->looping}, e))
-        return e->status;
+    push(b, (struct queued){pass, step->solve, step->looping});
     return b->timed ? run_timed(b, pass, e) : STATUS_OK;
 }
 
@@ -194,8 +191,8 @@ static void count_sweeps(struct backend *b, const struct loop *loop)
 
 enum status cuda_settle(struct backend *b, struct step *step, struct error *e)
 {
-    if (cuda_flush(b, e) ||
-        b->row->read(b->device, b->out, b->scalars, sizeof *b->out, e))
+    cuda_flush(b);
+    if (b->row->read(b->device, b->out, b->scalars, sizeof *b->out, e))
         return e->status;
     scalars_get(b->out, step);
     if (step->looping && !b->timed)
