@@ -174,7 +174,8 @@ static __device__ double sum_in_order(double term)
         share_add64((uint64_t *)&w->scalars->sums.fixed[0], (uint64_t)sum);                        \
     }                                                                                              \
     LAUNCH(name, few_blocks(threads), THREADS, struct work)
-#define SUMS(name, terms)                                                                          \
+/* `gather` is what the threads of a warp do with their terms first. */
+#define SUMMED(name, terms, gather)                                                                \
     KERNEL(name, THREADS)                                                                          \
     {                                                                                              \
         UNLESS_ENDED(w);                                                                           \
@@ -185,29 +186,15 @@ static __device__ double sum_in_order(double term)
             double term[SCALAR_SUMS] = {0};                                                        \
             if (base + threadIdx.x < w->count)                                                     \
                 each_##name(w, base + threadIdx.x, term);                                          \
+            gather;                                                                                \
             sums_add(&sums, term, w->scalars->sums.exact);                                         \
         }                                                                                          \
         sums_share(&sums, w->scalars->sums.exact);                                                 \
     }                                                                                              \
     LAUNCH(name, few_blocks(threads), THREADS, struct work)
+#define SUMS(name, terms) SUMMED(name, terms, )
 #define BLOCKS(name, terms)                                                                        \
-    KERNEL(name, THREADS)                                                                          \
-    {                                                                                              \
-        UNLESS_ENDED(w);                                                                           \
-        __shared__ block_sums<terms> sums;                                                         \
-        sums_clear(&sums);                                                                         \
-        OVER_PARTICLES(w->count)                                                                   \
-        {                                                                                          \
-            double term[SCALAR_SUMS] = {0};                                                        \
-            if (base + threadIdx.x < w->count)                                                     \
-                each_##name(w, base + threadIdx.x, term);                                          \
-            for (int t = 0; t < terms; t++)                                                        \
-                term[t] = sum_in_order(term[t]);                                                   \
-            sums_add(&sums, term, w->scalars->sums.exact);                                         \
-        }                                                                                          \
-        sums_share(&sums, w->scalars->sums.exact);                                                 \
-    }                                                                                              \
-    LAUNCH(name, few_blocks(threads), THREADS, struct work)
+    SUMMED(name, terms, for (int t = 0; t < terms; t++) term[t] = sum_in_order(term[t]))
 #define STAGE(kind, name, terms) kind(name, terms)
 #include "backend/bodies/stage_list.h"
 #undef STAGE
