@@ -4,31 +4,30 @@
 enum { MIXED_LOOKUP = PAIR_FLAGS_END };
 
 static const struct {
-    const char *name;
     enum pair_body body;       /* the first: Wendland's kernel, fluids alike */
     unsigned by_kernel : 1; /* another for the cubic spline */
     unsigned others;        /* others with these flags; MIXED_LOOKUP where work has inverse densities */
 } table[PAIR_PASS_COUNT] = {
-    [PAIR_PASS_DENSITY] = {"density", BODY_density_wendland, 1, 0},
-    [PAIR_PASS_FORCE] = {"force", BODY_COUNT, 0, 0},
-    [PAIR_PASS_GRADIENT] = {"gradient", BODY_gradient_wendland, 1, PAIR_MIXED},
-    [PAIR_PASS_DIFFUSION] = {"diffusion", BODY_diffusion_wendland, 1, PAIR_MIXED},
-    [PAIR_PASS_SHIFT] = {"shift", BODY_shift_wendland, 1, 0},
-    [PAIR_PASS_NORMALS] = {"normals", BODY_normals, 0, 0},
-    [PAIR_PASS_TENSION] = {"tension", BODY_tension, 0, 0},
-    [PAIR_PASS_FACTOR] = {"factor", BODY_factor_wendland, 1, 0},
-    [PAIR_PASS_PUSH] = {"push", BODY_push_wendland, 1, 0},
-    [PAIR_PASS_PROJECT] = {"project", BODY_project_wendland, 1, 0},
-    [PAIR_PASS_SWEEP] = {"sweep", BODY_sweep_wendland, 1, 0},
-    [PAIR_PASS_DRAG_DIAGONAL] = {"drag diagonal", BODY_drag_diagonal_wendland, 1, PAIR_CENTRAL},
-    [PAIR_PASS_DRAG] = {"drag", BODY_drag_wendland, 1, PAIR_CENTRAL},
-    [PAIR_PASS_STENCIL] = {"stencil", BODY_stencil_wendland, 1, MIXED_LOOKUP},
-    [PAIR_PASS_SURFACE] = {"surface", BODY_surface, 0, 0},
-    [PAIR_PASS_JUMP] = {"jump", BODY_jump, 0, 0},
-    [PAIR_PASS_FLOW] = {"flow", BODY_flow, 0, MIXED_LOOKUP},
-    [PAIR_PASS_PRODUCT] = {"product", BODY_product, 0, 0},
-    [PAIR_PASS_SLOPES] = {"slopes", BODY_slopes, 0, 0},
-    [PAIR_PASS_CURL] = {"curl", BODY_curl, 0, 0},
+    [PAIR_PASS_DENSITY] = {BODY_density_wendland, 1, 0},
+    [PAIR_PASS_FORCE] = {BODY_COUNT, 0, 0},
+    [PAIR_PASS_GRADIENT] = {BODY_gradient_wendland, 1, PAIR_MIXED},
+    [PAIR_PASS_DIFFUSION] = {BODY_diffusion_wendland, 1, PAIR_MIXED},
+    [PAIR_PASS_SHIFT] = {BODY_shift_wendland, 1, 0},
+    [PAIR_PASS_NORMALS] = {BODY_normals, 0, 0},
+    [PAIR_PASS_TENSION] = {BODY_tension, 0, 0},
+    [PAIR_PASS_FACTOR] = {BODY_factor_wendland, 1, 0},
+    [PAIR_PASS_PUSH] = {BODY_push_wendland, 1, 0},
+    [PAIR_PASS_PROJECT] = {BODY_project_wendland, 1, 0},
+    [PAIR_PASS_SWEEP] = {BODY_sweep_wendland, 1, 0},
+    [PAIR_PASS_DRAG_DIAGONAL] = {BODY_drag_diagonal_wendland, 1, PAIR_CENTRAL},
+    [PAIR_PASS_DRAG] = {BODY_drag_wendland, 1, PAIR_CENTRAL},
+    [PAIR_PASS_STENCIL] = {BODY_stencil_wendland, 1, MIXED_LOOKUP},
+    [PAIR_PASS_SURFACE] = {BODY_surface, 0, 0},
+    [PAIR_PASS_JUMP] = {BODY_jump, 0, 0},
+    [PAIR_PASS_FLOW] = {BODY_flow, 0, MIXED_LOOKUP},
+    [PAIR_PASS_PRODUCT] = {BODY_product, 0, 0},
+    [PAIR_PASS_SLOPES] = {BODY_slopes, 0, 0},
+    [PAIR_PASS_CURL] = {BODY_curl, 0, 0},
 };
 
 static enum pair_body force_find(unsigned flags, bool walls)
@@ -52,9 +51,4 @@ enum pair_body pair_find(enum pair_pass pass, const struct work *work, unsigned 
     if (pass == PAIR_PASS_DENSITY && flags & PAIR_MULLER)
         return BODY_density_muller;
     return table[pass].body + (other ? kernels : 0) + (kernels == 2 ? cubic : 0);
-}
-
-const char *pair_pass_name(enum pair_pass pass)
-{
-    return table[pass].name;
 }

@@ -41,7 +41,4 @@ enum pair_body {
 /* The body of a pass; BODY_COUNT when a solver never asks for it. */
 enum pair_body pair_find(enum pair_pass pass, const struct work *work, unsigned flags);
 
-/* "sweep" */
-const char *pair_pass_name(enum pair_pass pass);
-
 #endif

@@ -63,16 +63,6 @@ const struct stage *stages_of(enum pass_id pass, size_t *count)
     return table[pass].stage;
 }
 
-const char *stage_name(const struct stage *stage)
-{
-    static const char *const names[STAGE_COUNT] = {
-#define STAGE(kind, name, terms) #name,
-#include "backend/bodies/stage_list.h"
-#undef STAGE
-    };
-    return stage->is_pair ? pair_pass_name(stage->pair) : names[stage->id];
-}
-
 bool stage_is_scalar(const struct stage *stage)
 {
     enum { EACH, EXTREMES, BLOCKS, SUMS, FIXED, SCALAR };

@@ -35,9 +35,6 @@ const struct stage *stages_of(enum pass_id pass, size_t *count);
 /* Whether a stage works on the scalars alone. */
 bool stage_is_scalar(const struct stage *stage);
 
-/* Name of a stage, for messages. */
-const char *stage_name(const struct stage *stage);
-
 /* Whether a stage of a pass on `work` is to be run. */
 bool stage_wanted(const struct stage *stage, const struct solver_choice *choice,
                   const struct work *work);

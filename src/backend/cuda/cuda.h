@@ -32,7 +32,7 @@ struct queued {
     bool looping;
 };
 
-enum { QUEUE_MAX = 512, GRAPHS_MAX = 64, SEEN_ARRAYS = 4 };
+enum { QUEUE_MAX = 512, GRAPHS_MAX = 64 };
 
 struct recording {
     uint64_t key;
