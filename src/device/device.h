@@ -41,8 +41,20 @@ struct device_sort {
     int bits;
 };
 
-struct device;       /* an open device */
-struct device_graph; /* launches that are repeated as one */
+struct device;        /* an open device: a queue of its own on a GPU; several may share one GPU's memory */
+struct device_graph;  /* launches that are repeated as one */
+struct device_event;  /* a place in a device's queue, for which other queues can wait */
+struct device_buffer; /* a buffer of OpenGL that the device writes to */
+
+/* A buffer of OpenGL, of the context that is current in the calling thread. map and unmap are how the host
+ * itself gets at it, for the device that is the host: map is NULL when it cannot. */
+struct device_gl {
+    unsigned name; /* of glGenBuffers */
+    size_t bytes;
+    void *(*map)(void *context, unsigned name, size_t bytes);
+    bool (*unmap)(void *context, unsigned name);
+    void *context;
+};
 
 struct device_row {
     /* Devices there are; 0 without a driver or GPU, with the reason in *why. */
@@ -77,6 +89,20 @@ struct device_row {
     struct device_graph *(*recorded)(struct device *device);
     void (*replay)(struct device *device, struct device_graph *graph);
     void (*forget)(struct device *device, struct device_graph *graph);
+    /* An event, and its end; NULL with STATUS_RUN when there is none to be had. */
+    struct device_event *(*event)(struct device *device, struct error *e);
+    void (*drop)(struct device *device, struct device_event *event);
+    /* Queued: the event happens once all that is queued so far is done; what is queued from now on waits for
+     * the event's latest signal, of any device on the same GPU. It never was: there is nothing to wait for. */
+    void (*signal)(struct device *device, struct device_event *event);
+    void (*follow)(struct device *device, struct device_event *event);
+    /* Makes a buffer of OpenGL one that kernels can write to, once; STATUS_BACKEND says why it cannot be. From
+     * map to unmap it is the device's, and the address may differ each time; else it is OpenGL's. Both are
+     * ordered with the device's queue. The context must be current in all four. */
+    struct device_buffer *(*attach)(struct device *device, const struct device_gl *gl, struct error *e);
+    void (*detach)(struct device *device, struct device_buffer *buffer);
+    void *(*map)(struct device *device, struct device_buffer *buffer, struct error *e);
+    enum status (*unmap)(struct device *device, struct device_buffer *buffer, struct error *e);
     /* Measured multiply-adds, FLOP/s, and bytes that a copy reads and writes, 1/s. */
     double (*peak)(struct device *device);
     double (*bandwidth)(struct device *device);
