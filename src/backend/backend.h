@@ -5,8 +5,9 @@
 #include "backend/scalars.h"
 #include "base/error.h"
 #include "base/variant.h"
+#include "device/device.h"
 #include "grid/search.h"
-#include "particles/particles.h"
+#include "particles/shown.h"
 #include "particles/space.h"
 #include "solver/solver.h"
 
@@ -64,6 +65,7 @@ struct backend; /* each back end's own state */
 struct backend_row {
     struct variant variant;
     bool has_devices; /* NAME:N is its device N */
+    const struct device_row *device; /* whose memory particles are in; NULL: the host's */
     /* Whether it can run here, else why not; NULL: everywhere. */
     bool (*available)(const char **why);
     /* Free memory of a device, bytes, and its name; NULL: particles are in the host's. */
@@ -83,7 +85,13 @@ struct backend_row {
     /* `fields` of the present particles in host memory, in any order; valid until the next call. NULL
      * when they cannot be had. */
     const struct particles *(*state)(struct backend *backend, unsigned fields, struct error *e);
-    const struct particles *(*walls)(struct backend *backend);
+    /* Hands on what pictures show of the present state: how->to is in the memory where particles are, the
+     * state in *how is left to the back end. May return before it is done: `filled` is signalled then, NULL on
+     * the host. */
+    enum status (*show)(struct backend *backend, const struct shown *how, struct device_event *filled,
+                        struct error *e);
+    /* particles_hash of the present state. */
+    enum status (*hash)(struct backend *backend, uint64_t *hash, struct error *e);
     const struct backend_counts *(*counts)(struct backend *backend);
     /* "cpu (avx512, 2 threads)" */
     const char *(*describe)(struct backend *backend);

@@ -1,11 +1,12 @@
-/* Sine, cosine, tangent and logarithm by series, the same bits wherever they are computed. */
+/* Sine, cosine and tangent by series, the same bits wherever they are computed. */
 #include "base/portable_math.h"
+
+#include "base/log_by_series.h"
 
 #include <math.h>
 
-/* pi / 2 in parts whose multiples up to 2^20 are exact, and ln 2 likewise up to 2^11. */
+/* pi / 2 in parts whose multiples up to 2^20 are exact. */
 static const double half_pi[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
-static const double ln_2[2] = {0x1.62e42fefa2p-1, 0x1.9ef35793c7673p-41};
 
 /* angle - quarter * pi / 2, within pi / 4 of 0. */
 static double reduce(double angle, long *quarter)
@@ -57,19 +58,7 @@ double portable_tan(double angle)
     return portable_sin(angle) / portable_cos(angle);
 }
 
-/* x = m 2^e; ln m = 2 artanh((m - 1) / (m + 1)), m between sqrt(1/2) and sqrt(2). */
 double portable_log(double x)
 {
-    int e;
-    if (!(x > 0 && x < (double)INFINITY))
-        return x > 0 ? x : (double)NAN;
-    double m = frexp(x, &e);
-    if (m < 0.70710678118654752) {
-        m *= 2;
-        e--;
-    }
-    double f = m - 1, s = f / (m + 1), q = s * s, sum = 0;
-    for (int n = 23; n > 1; n -= 2)
-        sum = q * (1.0 / n + sum);
-    return e * ln_2[0] + (2 * s + (2 * s * sum + e * ln_2[1]));
+    return log_by_series(x);
 }

@@ -43,7 +43,7 @@ struct encode_frame {
     long index;                /* from 0 */
     double time;               /* s */
     const struct image *image; /* NULL when the encoder does not want pixels */
-    uint64_t state_hash;       /* of the particles */
+    uint64_t state_hash;       /* of the particles; of encoders that want hashes */
 };
 
 struct encoder; /* each encoder's own state */
@@ -56,6 +56,7 @@ struct encoder_row {
     bool wants_pixels;             /* false: the run may skip drawing altogether */
     bool wants_raw;                /* image->raw, too */
     bool wants_vectors;            /* image->plain and image->over, too */
+    bool wants_hashes;             /* of states */
     bool wants_rows;               /* of measured numbers, by `row` */
     /* What only this encoder can say about a target before the run; writes nothing. May be NULL. */
     enum status (*check)(const struct encode_target *, struct error *);

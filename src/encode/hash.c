@@ -63,6 +63,7 @@ const struct encoder_row encoder_hash = {
                 .doc = "prints \"index time state-hash pixel-hash\" for each frame on stdout"},
     .extensions = (const char *const[]){"hash", NULL},
     .wants_pixels = true,
+    .wants_hashes = true,
     .open = hash_open,
     .frame = hash_frame,
     .close = hash_close,

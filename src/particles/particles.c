@@ -2,6 +2,7 @@
 #include "particles/particles.h"
 
 #include "base/memory.h"
+#include "particles/hash.h"
 
 #include <string.h>
 
@@ -72,38 +73,15 @@ void particles_swap(struct particles *particles)
     }
 }
 
-/* splitmix64's finalizer (Steele et al. 2014): every input bit reaches every output bit. */
-static uint64_t mix(uint64_t x)
-{
-    x ^= x >> 30;
-    x *= 0xbf58476d1ce4e5b9u;
-    x ^= x >> 27;
-    x *= 0x94d049bb133111ebu;
-    return x ^ x >> 31;
-}
-
-static uint64_t hash_words(uint64_t seed, const void *data, size_t words)
-{
-    for (size_t i = 0; i < words; i++) {
-        uint32_t word;
-        memcpy(&word, (const char *)data + 4 * i, 4);
-        seed = mix(seed ^ word) + 0x9e3779b97f4a7c15u;
-    }
-    return seed;
-}
-
 uint64_t particles_hash(const struct particles *particles)
 {
     const struct position *position = particles_position(particles);
     const struct motion *motion = particles_motion(particles);
     const float *density = particles_density(particles);
     const uint32_t *id = particles_id(particles);
-    uint64_t sum = mix(particles->count);
+    uint64_t sum = hash_mix(particles->count);
 #pragma omp parallel for reduction(+ : sum)
-    for (size_t i = 0; i < particles->count; i++) {
-        uint64_t h = hash_words(id[i], position[i].count, 3);
-        h = hash_words(h, motion[i].velocity, 3);
-        sum += mix(hash_words(h, &density[i], 1));
-    }
+    for (size_t i = 0; i < particles->count; i++)
+        sum += hash_particle(id[i], &position[i], &motion[i], density[i]);
     return sum;
 }

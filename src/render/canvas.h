@@ -4,6 +4,7 @@
 
 #include "render/camera.h"
 #include "render/render.h"
+#include "render/slots.h"
 
 struct canvas_row {
     struct variant variant;
@@ -12,6 +13,9 @@ struct canvas_row {
      * was tried; STATUS_RUN when memory is short. */
     enum status (*open)(void **canvas, const struct canvas_row *row, const struct render_setup *setup,
                         struct error *e);
+    /* Whether it can draw frames from those slots, which outlive it, without the host; STATUS_BACKEND says why
+     * not. NULL: it never can. */
+    enum status (*share)(void *canvas, const struct slots *slots, struct error *e);
     /* Draws into an image of movie.size. */
     enum status (*draw)(void *canvas, const struct camera *camera, const struct render_frame *frame,
                         struct image *image, struct error *e);

@@ -4,7 +4,7 @@
 
 #include "base/variant.h"
 #include "particles/fill.h"
-#include "particles/particles.h"
+#include "particles/shown.h"
 #include "scene/scene.h"
 
 #include <stdbool.h>
@@ -19,13 +19,6 @@ struct color_expectation {
     const struct fill *start; /* of the bodies */
 };
 
-/* What a colour is taken from. */
-struct color_source {
-    const struct particles *particles; /* in any order */
-    const struct fill *start;          /* by id */
-    const float *rest_density;         /* of each fluid, kg/m^3 */
-};
-
 struct color_row {
     struct variant variant;
     const char *label, *unit;
@@ -33,7 +26,8 @@ struct color_row {
     bool solid;       /* the fluid's own colour instead of a scalar */
     bool has_sign;    /* zero is the middle: the scale is symmetric unless the scene says otherwise */
     bool counts;      /* whole numbers 0 .. n - 1, a colour each; the range is -1/2 to n - 1/2 */
-    float (*value)(const struct color_source *source, size_t i);
+    enum shown_value value; /* unless it is fixed */
+    float (*fixed)(const struct fill *start, size_t id); /* a value that never changes; else NULL */
     void (*range)(const struct color_expectation *expect, double range[2]);
     const char *(*name)(const struct scene *scene, size_t number); /* of a count; NULL: the number */
     const char *estimate; /* how `range` comes about, for the log */

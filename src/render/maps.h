@@ -3,10 +3,9 @@
 #define RENDER_MAPS_H
 
 #include "base/variant.h"
+#include "render/scale.h"
 
 #include <stdint.h>
-
-enum { MAP_SIZE = 256 };
 
 struct render_map {
     struct variant variant;

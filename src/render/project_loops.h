@@ -65,7 +65,7 @@ static inline void chunk_scale(const struct color_scale *scale, const float *res
         place[l] = scale_place_linear(low, high, value[l]);
 }
 
-/* Between the two nearest colours of the map; the ends of the range are the first and the last. */
+/* Colours of values. */
 static void chunk_colors(const struct color_scale *scale, const uint32_t *map, const float *value,
                          size_t count, struct ball *balls)
 {
@@ -74,16 +74,8 @@ static void chunk_colors(const struct color_scale *scale, const uint32_t *map, c
     memcpy(v, value, count * sizeof *v);
     chunk_scale(scale, v, place);
 #pragma omp simd
-    for (int l = 0; l < CHUNK; l++) {
-        double t = place[l] * (double)(MAP_SIZE - 1);
-        int low = t < MAP_SIZE - 2 ? (int)t : MAP_SIZE - 2;
-        uint32_t own = map[low], next = map[low + 1], sum = 0;
-        for (int k = 0; k < 24; k += 8) {
-            int a = (int)(own >> k & 255), b = (int)(next >> k & 255);
-            sum |= (uint32_t)(int)(a + (t - low) * (b - a) + 0.5) << k;
-        }
-        rgb[l] = sum;
-    }
+    for (int l = 0; l < CHUNK; l++)
+        rgb[l] = scale_color(map, place[l]);
     for (size_t l = 0; l < count; l++)
         memcpy(balls[l].rgb, &rgb[l], sizeof balls[l].rgb); /* bytes in memory: little endian */
 }

@@ -6,7 +6,10 @@
 #include "render/camera.h"
 #include "render/canvas.h"
 #include "render/overlay.h"
+#include "render/percentiles.h"
+#include "render/slots.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +18,8 @@ struct renderer {
     const struct canvas_row *row;
     void *canvas;
     struct overlay *overlay;
+    struct slots slots;
+    bool shares;       /* the canvas draws from slots */
     int width, height; /* pixels */
 };
 
@@ -92,20 +97,73 @@ void renderer_close(struct renderer *r)
     overlay_close(r->overlay);
     if (r->canvas)
         r->row->close(r->canvas);
+    slots_close(&r->slots);
     free(r);
 }
 
-enum status renderer_draw(struct renderer *r, const struct render_frame *frame,
+/* What the host has to see of each frame; NULL: nothing. */
+static const char *host_wanted(const struct render_setup *setup)
+{
+    const struct scene *scene = setup->scene;
+    return setup->raw                                    ? "raw images have their values"
+           : !isnan(scene->color.percentiles[0])         ? "color.percentiles are of their values"
+           : scene->render.occlusion > 0                 ? "render.occlusion is computed there"
+           : scene->render.shadow > 0                    ? "render.shadow is computed there"
+                                                         : NULL;
+}
+
+static enum status canvas_share(struct renderer *r, struct error *e)
+{
+    const char *why = host_wanted(&r->setup);
+    if (why)
+        return error_set(e, STATUS_BACKEND, "%s", why);
+    if (!r->row->share)
+        return error_set(e, STATUS_BACKEND, "renderer %s draws there", r->row->variant.name);
+    return r->row->share(r->canvas, &r->slots, e);
+}
+
+enum status renderer_slots(struct renderer *r, const struct render_source *source,
+                           struct render_slot **slots, struct error *e)
+{
+    struct error why;
+    if (slots_open(&r->slots, source, e))
+        return e->status;
+    r->shares = canvas_share(r, &why) == STATUS_OK;
+    if (r->shares)
+        log_detail("frames are drawn where they are computed");
+    else
+        log_detail("frames are copied to the host's memory: %s", why.text);
+    *slots = r->slots.slot;
+    return STATUS_OK;
+}
+
+/* Particles in host memory unless the canvas has them, and the frame's own range. */
+static enum status frame_prepare(struct renderer *r, struct render_frame *frame, struct color_scale *scale,
+                                 struct error *e)
+{
+    if (frame->slot && !r->shares && slots_copy(&r->slots, frame, r->setup.solid, e))
+        return e->status;
+    if (frame->value && !isnan(r->setup.scene->color.percentiles[0])) {
+        *scale = frame->scale ? *frame->scale : r->setup.scale;
+        percentiles_range(&r->setup, frame->value, frame->bodies, scale);
+        frame->scale = scale;
+    }
+    return STATUS_OK;
+}
+
+enum status renderer_draw(struct renderer *r, const struct render_frame *given,
                           struct image *image, struct error *e)
 {
     struct camera camera;
+    struct color_scale scale;
+    struct render_frame own = *given, *frame = &own;
     if (!image->rgba || image->width != r->width || image->height != r->height) {
         image_free(image);
         if (image_create(image, r->width, r->height, e))
             return e->status;
     }
     camera_make(&camera, r->setup.scene, r->setup.radius, frame->time);
-    if (r->row->draw(r->canvas, &camera, frame, image, e))
+    if (frame_prepare(r, frame, &scale, e) || r->row->draw(r->canvas, &camera, frame, image, e))
         return error_context(e, "frame %ld", frame->index);
     if (r->setup.vectors) {
         if (vectors_start(image, e))

@@ -122,7 +122,8 @@ static enum status draw_snapshot(struct film *film, struct renderer *renderer,
         .position = snapshot->position,
         .value = snapshot->value,
         .color = snapshot->color,
-        .scale = &snapshot->scale,
+        .slot = snapshot->slot,
+        .bodies = snapshot->bodies,
     };
     picture->index = snapshot->index;
     picture->time = snapshot->time;
@@ -150,15 +151,27 @@ static void draw_all(struct film *film, struct renderer *renderer)
     }
 }
 
+/* Frames on a device have slots of the renderer's. */
+static enum status lend_slots(struct film *film, struct renderer *renderer, struct error *e)
+{
+    struct render_slot *slots;
+    if (!film->setup.source.row)
+        return STATUS_OK;
+    if (renderer_slots(renderer, &film->setup.source, &slots, e))
+        return e->status;
+    for (size_t k = 0; k < FILM_SNAPSHOTS; k++)
+        film->snapshots[k].slot = &slots[k];
+    return STATUS_OK;
+}
+
 /* The renderer lives and dies in this thread, as GL contexts want. */
 static void *draw_thread(void *argument)
 {
     struct film *film = argument;
     struct renderer *renderer = NULL;
     struct error e;
-    if (renderer_open(&renderer, film->setup.render, &e)) {
+    if (renderer_open(&renderer, film->setup.render, &e) || lend_slots(film, renderer, &e)) {
         film_fail(film, &e);
-        renderer = NULL;
     } else {
         const char *name = renderer_name(renderer);
         strncpy(film->name, name ? name : "", sizeof film->name - 1);
@@ -207,6 +220,10 @@ static bool has_raw(const struct encoder_row *row)
 {
     return row->wants_raw;
 }
+static bool has_hashes(const struct encoder_row *row)
+{
+    return row->wants_hashes;
+}
 static bool has_vectors(const struct encoder_row *row)
 {
     return row->wants_vectors;
@@ -223,6 +240,10 @@ bool film_wants_rows(const char *const *outputs, size_t count)
 bool film_wants_raw(const char *const *outputs, size_t count)
 {
     return encode_any(outputs, count, has_raw);
+}
+bool film_wants_hashes(const char *const *outputs, size_t count)
+{
+    return encode_any(outputs, count, has_hashes);
 }
 bool film_wants_vectors(const char *const *outputs, size_t count)
 {
@@ -365,7 +386,7 @@ static void snapshot_release(struct film_snapshot *snapshot)
 static enum status snapshot_fit(const struct film *film, struct film_snapshot *snapshot,
                                 size_t count, struct error *e)
 {
-    if (!film->pixels || count <= snapshot->capacity)
+    if (!film->pixels || snapshot->slot || count <= snapshot->capacity)
         return STATUS_OK;
     snapshot_release(snapshot);
     snapshot->position = memory_create("snapshots", count, 3 * sizeof *snapshot->position, e);
@@ -393,8 +414,6 @@ enum status film_snapshot_create(struct film *film, size_t count, struct film_sn
         return e->status;
     }
     snapshot->count = count;
-    if (film->pixels)
-        snapshot->scale = film->setup.render->scale;
     *made = snapshot;
     return STATUS_OK;
 }

@@ -17,7 +17,7 @@
 #include <stdint.h>
 
 enum {
-    FILM_SNAPSHOTS = 3, /* one filled, one waiting, one drawn */
+    FILM_SNAPSHOTS = RENDER_SLOTS, /* one filled, one waiting, one drawn */
     FILM_IMAGES = 3     /* one drawn, one waiting, one encoded */
 };
 
@@ -36,18 +36,20 @@ struct film_setup {
     size_t column_count;
     long frame_count;                  /* of the whole film */
     const struct encode_reference *reference; /* accepted frames, or NULL */
+    struct render_source source; /* where particles of frames are; zeros: in the host's memory */
 };
 
-/* The particles of one frame. The film owns the arrays; they are to be filled, not replaced. */
+/* The particles of one frame. The film owns the arrays, or the slot; they are to be filled, not replaced. */
 struct film_snapshot {
     long index;                /* frame number, from 0 */
     double time;               /* s */
     size_t count;              /* particles */
+    size_t bodies;             /* of them, those that are not of walls */
+    const struct render_slot *slot; /* instead of the arrays, when frames are on a device; else NULL */
     float *position;           /* count * 3, m, relative to domain.min; NULL without pixels */
     float *value;              /* count; NULL when render->solid or without pixels */
     uint8_t *color;            /* count * 4 RGBA when render->solid, else NULL */
-    struct color_scale scale;  /* of the values; the film's unless changed */
-    uint64_t state_hash;
+    uint64_t state_hash;       /* if an output wants hashes */
     size_t capacity;           /* particles that the arrays have room for */
 };
 
@@ -64,10 +66,11 @@ struct film;
  * writes counts as none. */
 bool film_wants_pixels(const char *const *outputs, size_t count);
 
-/* The same for rows of measured numbers, raw numbers of pixels, and text that is not pixels. */
+/* The same for rows of measured numbers, raw numbers of pixels, text that is not pixels, and states' hashes. */
 bool film_wants_rows(const char *const *outputs, size_t count);
 bool film_wants_raw(const char *const *outputs, size_t count);
 bool film_wants_vectors(const char *const *outputs, size_t count);
+bool film_wants_hashes(const char *const *outputs, size_t count);
 
 /* Checks every output, then opens every encoder and, in the drawing thread, the renderer. The
  * scene and the render_setup must outlive the film; the setup itself and the outputs need not.

@@ -1,10 +1,13 @@
-/* Copies what is drawn of the present state into a snapshot. */
+/* Hands what is drawn of the present state to a snapshot. */
 #include "run/frame.h"
 
+#include "render/cuda/draw_kernels.h"
 #include "run/step.h"
 
 #include <math.h>
 #include <string.h>
+
+_Static_assert((int)SHOWN_FLUIDS == (int)FLUIDS_MAX, "pictures show every fluid");
 
 static bool draws_walls(const struct plan *plan)
 {
@@ -16,135 +19,67 @@ size_t frame_count(const struct plan *plan)
     return plan->bodies.count + (draws_walls(plan) ? plan->walls.count : 0);
 }
 
-static void place(const struct simulation *s, const struct position *x, float out[3])
+/* How pictures are made on a device without the host. */
+static const struct kernel *draw_kernels(const struct device_row *row)
 {
-    for (int a = 0; a < 3; a++)
-        out[a] = (float)(space_metres(&s->plan->space, a, x->count[a]) -
-                         s->plan->scene->domain.min[a]);
+#if HAVE_CUDA
+    if (row == &device_cuda)
+        return draw_kernels_cuda;
+#endif
+    (void)row;
+    return NULL;
 }
 
-static void paint(const struct scene_fluid *fluid, uint8_t out[4])
+struct render_source frame_source(const struct plan *plan, const struct backend_row *row)
 {
-    for (int c = 0; c < 3; c++)
-        out[c] = (uint8_t)lround(255 * fmin(1, fmax(0, fluid->color[c])));
-    out[3] = 255;
-}
-
-/* Whether the scene wants a particle drawn: of this fluid (-1: a wall's), there, with that value. */
-static bool is_shown(const struct scene *scene, int fluid, const float position[3], float value)
-{
-    const double *range = scene->render.show_range;
-    if (fluid >= 0 && !scene->fluids[fluid].visible)
-        return false;
+    struct render_source source = {.row = row->device, .kernels = draw_kernels(row->device), .device = plan->device,
+                                   .count = frame_count(plan)};
     for (int a = 0; a < 3; a++) {
-        double x = scene->domain.min[a] + (double)position[a];
-        if (x < scene->render.clip_min[a] || x > scene->render.clip_max[a]) /* NAN: neither */
-            return false;
+        source.low[a] = plan->space.origin[a] - plan->scene->domain.min[a];
+        source.high[a] = source.low[a] + plan->space.length[a];
     }
-    return !((double)value < range[0] || (double)value > range[1]);
+    return source;
 }
 
-/* Out of everybody's sight. */
-static void hide(float position[3])
+static uint32_t paint(const struct scene_fluid *fluid)
 {
-    position[0] = position[1] = position[2] = NAN;
+    uint32_t rgba = 0xff000000;
+    for (int c = 0; c < 3; c++)
+        rgba |= (uint32_t)lround(255 * fmin(1, fmax(0, fluid->color[c]))) << 8 * c;
+    return rgba;
 }
 
-/* Order of floats as integers; what is not a number is 0. */
-static uint32_t rank_of(float value)
+/* What the plan's pictures show, but for the state. */
+static struct shown shown_of(const struct plan *plan, struct shown_to to)
 {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return value != value ? 0 : bits >> 31 ? ~bits : bits | 0x80000000u;
-}
-
-static float value_of(uint32_t rank)
-{
-    uint32_t bits = rank >> 31 ? rank & 0x7fffffffu : ~rank;
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/* The value that `percent` of all do not exceed, found bit by bit from the top. */
-static double percentile(const float *values, size_t count, double percent)
-{
-    size_t wanted = (size_t)ceil(percent / 100 * (double)count);
-    uint32_t rank = 0;
-    wanted = wanted < 1 ? 1 : wanted;
-    for (int shift = 24; shift >= 0; shift -= 8) {
-        size_t histogram[256] = {0};
-        uint32_t part = 0;
-        for (size_t i = 0; i < count; i++) {
-            uint32_t own = rank_of(values[i]);
-            if (shift == 24 || own >> (shift + 8) == rank >> (shift + 8))
-                histogram[own >> shift & 255]++;
-        }
-        while (part < 255 && wanted > histogram[part])
-            wanted -= histogram[part++];
-        rank |= part << shift;
+    const struct scene *scene = plan->scene;
+    struct shown s = {.walls = draws_walls(plan), .value = plan->fixed ? VALUE_fixed : plan->color->value,
+                      .solid = plan->color->solid, .fixed = plan->fixed, .wall_color = 0xa0a0a0a0,
+                      .wall_value = (float)plan->scale.range[0], .to = to};
+    for (size_t f = 0; f < scene->fluid_count; f++) {
+        s.rest_density[f] = plan->choice.each.rest_density[f];
+        s.color[f] = paint(&scene->fluids[f]);
+        s.visible[f] = scene->fluids[f].visible;
     }
-    return (double)value_of(rank);
-}
-
-/* The ends of the map for one frame; a log scale stays above 0, a symmetric one about it. A frame of one
- * value keeps the film's range. */
-static void range_by_frame(const struct plan *plan, const float *values, size_t count,
-                           struct color_scale *scale)
-{
-    const double *percent = plan->scene->color.percentiles;
-    double low, high;
-    if (count == 0)
-        return;
-    low = percentile(values, count, percent[0]);
-    high = percentile(values, count, percent[1]);
-    if (plan->symmetric) {
-        high = fmax(fabs(low), fabs(high));
-        low = -high;
-    }
-    if (scale->log)
-        low = fmax(low, DECADES_MIN * high);
-    if (high > low && isfinite(high - low)) {
-        scale->range[0] = low;
-        scale->range[1] = high;
-    }
+    memcpy(s.origin, plan->space.origin, sizeof s.origin);
+    memcpy(s.unit, plan->space.unit, sizeof s.unit);
+    memcpy(s.min, scene->domain.min, sizeof s.min);
+    memcpy(s.clip_min, scene->render.clip_min, sizeof s.clip_min);
+    memcpy(s.clip_max, scene->render.clip_max, sizeof s.clip_max);
+    memcpy(s.range, scene->render.show_range, sizeof s.range);
+    return s;
 }
 
 enum status frame_fill(struct simulation *s, struct film_snapshot *snapshot, struct error *e)
 {
     const struct plan *plan = s->plan;
+    const struct render_slot *slot = snapshot->slot;
     struct step step = {.list_radius = plan->choice.support};
+    struct shown_to to = {snapshot->position, plan->color->solid ? (void *)snapshot->color
+                                                                 : (void *)snapshot->value};
     if (plan->frame_pass && step_pass(s, plan->frame_pass->id, &step, e))
         return e->status;
-    const struct particles *walls = s->row->walls(s->backend);
-    const struct particles *p = s->row->state(s->backend, plan->seen, e);
-    if (!p)
-        return e->status;
-    const struct color_row *color = plan->color;
-    const struct color_source source = {p, &plan->bodies, plan->choice.each.rest_density};
-#pragma omp parallel for schedule(static)
-    for (size_t i = 0; i < p->count; i++) {
-        size_t id = particles_id(p)[i];
-        place(s, &particles_position(p)[i], snapshot->position + 3 * id);
-        if (color->solid)
-            paint(&plan->scene->fluids[particles_fluid(p, i)], snapshot->color + 4 * id);
-        else
-            snapshot->value[id] = color->value(&source, i);
-        if (!is_shown(plan->scene, particles_fluid(p, i), snapshot->position + 3 * id,
-                      color->solid ? NAN : snapshot->value[id]))
-            hide(snapshot->position + 3 * id);
-    }
-    for (size_t i = 0; draws_walls(plan) && i < walls->count; i++) {
-        size_t id = p->count + particles_id(walls)[i];
-        place(s, &particles_position(walls)[i], snapshot->position + 3 * id);
-        if (color->solid)
-            memset(snapshot->color + 4 * id, 160, 4);
-        else
-            snapshot->value[id] = (float)plan->scale.range[0];
-        if (!is_shown(plan->scene, -1, snapshot->position + 3 * id, NAN))
-            hide(snapshot->position + 3 * id);
-    }
-    if (snapshot->value && !isnan(plan->scene->color.percentiles[0]))
-        range_by_frame(plan, snapshot->value, p->count, &snapshot->scale);
-    return STATUS_OK;
+    snapshot->bodies = plan->bodies.count;
+    const struct shown shown = shown_of(plan, slot ? slot->to : to);
+    return s->row->show(s->backend, &shown, slot ? slot->filled : NULL, e);
 }

@@ -1,4 +1,4 @@
-/* Copies what is drawn of the present state into a snapshot. */
+/* Hands what is drawn of the present state to a snapshot. */
 #ifndef RUN_FRAME_H
 #define RUN_FRAME_H
 
@@ -8,8 +8,11 @@
 /* Particles a snapshot of this plan holds. */
 size_t frame_count(const struct plan *plan);
 
-/* Fills positions and colours in ascending id; wall particles follow when they are drawn. STATUS_RUN
- * when the colour's pass has no memory. */
+/* Where those frames are that the plan's back end `row` makes, for the renderer. */
+struct render_source frame_source(const struct plan *plan, const struct backend_row *row);
+
+/* Fills positions and colours in ascending id; wall particles follow when they are drawn. A device may still be
+ * at it afterwards. STATUS_RUN when the colour's pass has no memory. */
 enum status frame_fill(struct simulation *s, struct film_snapshot *snapshot, struct error *e);
 
 #endif

@@ -1,6 +1,8 @@
 /* Makes the plan: solver and constants, passes, fields, and what is left out. */
 #include "run/plan.h"
 
+#include "base/memory.h"
+
 #include "particles/start.h"
 #include "run/budget.h"
 #include "run/film.h"
@@ -297,4 +299,5 @@ void plan_free(struct plan *plan)
     fill_free(&plan->bodies);
     fill_free(&plan->walls);
     measures_free(&plan->measures);
+    memory_free(plan->fixed);
 }

@@ -10,9 +10,6 @@
 #include "run/measure.h"
 #include "run/run.h"
 
-/* A log scale whose range does not say where it begins does so at this part of its end. */
-#define DECADES_MIN 1e-3
-
 struct plan {
     const struct scene *scene;
     const struct solver_row *solver;
@@ -23,6 +20,7 @@ struct plan {
     struct color_scale scale;      /* of the colour's values */
     bool symmetric;                /* about zero */
     uint8_t palette[MAP_SIZE][3];
+    float *fixed;                  /* by id: the colour's values, where they never change; else NULL */
     const struct pass_row *frame_pass; /* that the colour needs before each frame; NULL: none */
     struct space space;
     struct solver_choice choice;

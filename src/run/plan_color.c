@@ -1,6 +1,7 @@
 /* Plans what frames show: colour, its scale and map, and the pass that computes it. */
 #include "run/plan_color.h"
 
+#include "base/memory.h"
 #include "render/palette.h"
 #include "run/film.h"
 
@@ -80,6 +81,18 @@ static const struct pass_row *frame_pass(const struct color_row *color)
     return color->reads & row->writes ? row : NULL;
 }
 
+/* Values that never change are computed once. */
+static enum status fix_values(struct plan *plan, struct error *e)
+{
+    const struct fill *start = &plan->bodies;
+    if (!plan->color->fixed)
+        return STATUS_OK;
+    plan->fixed = memory_create("colours", start->count, sizeof *plan->fixed, e);
+    for (size_t id = 0; plan->fixed && id < start->count; id++)
+        plan->fixed[id] = plan->color->fixed(start, id);
+    return plan->fixed ? STATUS_OK : e->status;
+}
+
 enum status plan_color(struct plan *plan, const struct run_options *options, struct error *e)
 {
     plan->draws = film_wants_pixels(options->outputs, options->output_count);
@@ -92,6 +105,8 @@ enum status plan_color(struct plan *plan, const struct run_options *options, str
         return STATUS_OK;
     make_scale(plan);
     plan->frame_pass = frame_pass(plan->color);
+    if (fix_values(plan, e))
+        return e->status;
     return palette_make(plan->scene, plan->symmetric, plan->palette, e);
 }
 

@@ -68,7 +68,8 @@ struct session {
     struct film *film;
     struct report report;
     struct schedule frames, rows;
-    double end; /* s */
+    double end;  /* s */
+    bool hashes; /* somebody wants those of states */
 };
 
 /* Frames from movie.start on, rows from 0 on; of pictures at single times one row each. */
@@ -114,18 +115,13 @@ static enum status emit(struct session *x, long index, struct error *e)
         return e->status;
     snapshot->index = index;
     snapshot->time = s->time;
-    const struct particles *p = s->row->state(s->backend, PARTICLES_HASHED, e);
-    if (!p) {
+    if ((x->hashes && s->row->hash(s->backend, &snapshot->state_hash, e)) ||
+        (x->plan.draws && frame_fill(s, snapshot, e))) {
         film_snapshot_free(x->film, snapshot);
         return e->status;
     }
-    snapshot->state_hash = particles_hash(p);
     x->report.frames[x->report.frame_count++] =
         (struct report_frame){index, s->time, snapshot->state_hash};
-    if (snapshot->position && frame_fill(s, snapshot, e)) {
-        film_snapshot_free(x->film, snapshot);
-        return e->status;
-    }
     return film_frame(x->film, snapshot, e);
 }
 
@@ -188,6 +184,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
         render.unit = plan->color->unit;
         render.name = plan->color->name;
         render.solid = plan->color->solid;
+        render.symmetric = plan->symmetric;
         if (isnan(scene->color.range[0]) && isnan(scene->color.percentiles[0]) && !render.solid &&
             !render.scale.counts)
             log_info("colour range %.4g to %.4g %s: %s", render.scale.range[0],
@@ -210,6 +207,8 @@ static enum status film_start(struct session *x, const struct run_options *optio
                                .single = options->time_count == 1 || options->sheet[0],
                                .frame_count = x->frames.count,
                                .reference = options->reference};
+    if (plan->draws)
+        setup.source = frame_source(plan, plan->backend);
     video_warn(&setup.video, options->outputs, options->output_count);
     return film_open(&x->film, &setup, e);
 }
@@ -287,6 +286,8 @@ static enum status session_run(struct session *x, const struct run_options *opti
 {
     double start = clock_seconds();
     struct error closing;
+    x->plan.backend = simulation_backend(&x->plan, options);
+    x->hashes = options->report || film_wants_hashes(options->outputs, options->output_count);
     x->report.frames =
         memory_create("report", (size_t)x->frames.count + 1, sizeof *x->report.frames, e);
     if (!x->report.frames || film_start(x, options, e))

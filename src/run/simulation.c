@@ -141,10 +141,10 @@ static enum status first_forces(struct simulation *s, struct error *e)
 }
 
 /* Threads and instruction sets are the cpu's: who asks for them means it. */
-static const struct backend_row *automatic_backend(const struct run_options *options)
+const struct backend_row *simulation_backend(const struct plan *plan, const struct run_options *options)
 {
     bool cpu = options->threads > 0 || (options->isa && strcmp(options->isa, "auto") != 0);
-    return cpu ? &backend_cpu : backend_first();
+    return plan->backend ? plan->backend : cpu ? &backend_cpu : backend_first();
 }
 
 enum status simulation_open(struct simulation *s, const struct plan *plan,
@@ -160,7 +160,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .device = plan->device,
         .timed = options->timed,
     };
-    const struct backend_row *row = plan->backend ? plan->backend : automatic_backend(options);
+    const struct backend_row *row = simulation_backend(plan, options);
     *s = (struct simulation){.plan = plan, .row = row, .last_dt = INFINITY,
                              .relax = {1, 1, 1}, .strict = options->strict,
                              .queues = row->settle && !options->timed};

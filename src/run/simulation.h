@@ -34,6 +34,9 @@ struct simulation {
     } stats;
 };
 
+/* The back end of the plan, or the first that can run here. */
+const struct backend_row *simulation_backend(const struct plan *plan, const struct run_options *options);
+
 /* Creates the particles and evaluates the first forces. */
 enum status simulation_open(struct simulation *s, const struct plan *plan,
                             const struct run_options *options, struct error *e);

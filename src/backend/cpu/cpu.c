@@ -312,9 +312,24 @@ static const struct particles *cpu_state(struct backend *b, unsigned fields, str
     return &b->particles;
 }
 
-static const struct particles *cpu_wall_state(struct backend *b)
+static enum status cpu_show(struct backend *b, const struct shown *how, struct device_event *filled,
+                            struct error *e)
 {
-    return &b->wall;
+    struct shown s = *how;
+    (void)filled;
+    (void)e;
+    shown_from(&s, &b->particles, &b->wall);
+#pragma omp parallel for schedule(static) num_threads(b->threads)
+    for (size_t i = 0; i < s.count + s.wall_count; i++)
+        shown_particle(&s, i);
+    return STATUS_OK;
+}
+
+static enum status cpu_hash(struct backend *b, uint64_t *hash, struct error *e)
+{
+    (void)e;
+    *hash = particles_hash(&b->particles);
+    return STATUS_OK;
 }
 
 static const struct backend_counts *cpu_counts(struct backend *b)
@@ -352,7 +367,8 @@ const struct backend_row backend_cpu = {
     .begin = cpu_swap,
     .reject = cpu_swap,
     .state = cpu_state,
-    .walls = cpu_wall_state,
+    .show = cpu_show,
+    .hash = cpu_hash,
     .counts = cpu_counts,
     .describe = cpu_describe,
     .peak = cpu_peak,

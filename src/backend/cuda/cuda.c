@@ -8,8 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static enum status upload(struct backend *b, void *to, const void *from, size_t bytes,
-                          struct error *e)
+enum status cuda_upload(struct backend *b, void *to, const void *from, size_t bytes, struct error *e)
 {
     b->row->upload(b->device, to, from, bytes);
     return b->row->wait(b->device, e);
@@ -28,7 +27,7 @@ static enum status upload_particles(struct backend *b, const struct particles *h
         if (p->now[f] && host->before[f])
             p->before[f] = cuda_array(b, row->name, p->count, row->size, e);
         if (!p->now[f] || (host->before[f] && !p->before[f]) ||
-            upload(b, p->now[f], host->now[f], p->count * row->size, e))
+            cuda_upload(b, p->now[f], host->now[f], p->count * row->size, e))
             return e->status;
     }
     return STATUS_OK;
@@ -61,12 +60,15 @@ void cuda_close(struct backend *b)
                                 b->arrays.number,
                                 b->arrays.inverse_density,
                                 b->arrays.fluid,
-                                b->arrays.rest};
+                                b->arrays.rest,
+                                b->fixed,
+                                b->hash};
         cuda_forget(b);
         for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
             b->row->destroy(b->device, arrays[k]);
         b->row->unpin(b->device, b->in);
         b->row->unpin(b->device, b->out);
+        b->row->unpin(b->device, b->hash_read);
         destroy_particles(b, &b->particles);
         destroy_particles(b, &b->wall);
         destroy_particles(b, &b->curl);
@@ -77,7 +79,6 @@ void cuda_close(struct backend *b)
             b->row->unpin(b->device, b->seen.now[f]);
         b->row->close(b->device);
     }
-    particles_free(&b->seen_wall);
     free(b);
 }
 
@@ -147,7 +148,9 @@ static enum status allocate_arrays(struct backend *b, struct error *e)
     b->scalars = b->row->create(b->device, "constants", sizeof *b->scalars, e);
     b->in = b->row->pin(b->device, (1 + SOLVE_COUNT) * sizeof *b->in, e);
     b->out = b->row->pin(b->device, sizeof *b->out, e);
-    if (!b->there || !b->scalars || !b->in || !b->out ||
+    b->hash = b->row->create(b->device, "constants", sizeof *b->hash, e);
+    b->hash_read = b->row->pin(b->device, sizeof *b->hash_read, e);
+    if (!b->there || !b->scalars || !b->in || !b->out || !b->hash || !b->hash_read ||
         cuda_rows_create(b, &b->rows, b->particles.count, b->choice.projects, e) ||
         (b->wall.count && cuda_rows_create(b, &b->wall_rows, b->particles.count, false, e)))
         return e->status;
@@ -158,8 +161,8 @@ static enum status allocate_arrays(struct backend *b, struct error *e)
 static enum status upload_constants(struct backend *b, struct error *e)
 {
     struct scalars first = {.extremes = {.bad = UINT32_MAX}};
-    if (upload(b, b->there, &b->choice, sizeof b->choice, e) ||
-        upload(b, b->scalars, &first, sizeof first, e))
+    if (cuda_upload(b, b->there, &b->choice, sizeof b->choice, e) ||
+        cuda_upload(b, b->scalars, &first, sizeof first, e))
         return e->status;
     return STATUS_OK;
 }
@@ -173,21 +176,6 @@ static enum status start(struct backend *b, struct error *e)
         cuda_launch(b, KERNEL_stage_rest_volumes, work.count, &work);
     }
     return b->row->wait(b->device, e);
-}
-
-/* Wall particles as frames see them; they stay where they are. */
-static enum status see_walls(struct backend *b, struct error *e)
-{
-    unsigned fields = FIELD_BIT(FIELD_POSITION) | FIELD_BIT(FIELD_ID);
-    if (b->wall.count == 0)
-        return STATUS_OK;
-    if (particles_create(&b->seen_wall, b->wall.count, fields, e))
-        return e->status;
-    for (int f = 0; f < FIELD_COUNT; f++)
-        if (fields & FIELD_BIT(f) && b->row->read(b->device, b->seen_wall.now[f], b->wall.now[f],
-                                                  b->wall.count * field_table[f].size, e))
-            return e->status;
-    return STATUS_OK;
 }
 
 enum status cuda_open_on(const struct device_row *row, const struct kernel *kernels,
@@ -210,7 +198,7 @@ enum status cuda_open_on(const struct device_row *row, const struct kernel *kern
         row->open(&b->device, setup->device, e) ||
         upload_particles(b, particles, &b->particles, e) ||
         upload_particles(b, walls, &b->wall, e) || allocate_sorting(b, e) ||
-        allocate_arrays(b, e) || upload_constants(b, e) || start(b, e) || see_walls(b, e)) {
+        allocate_arrays(b, e) || upload_constants(b, e) || start(b, e)) {
         cuda_close(b);
         return e->status;
     }
@@ -263,11 +251,6 @@ const struct particles *cuda_state(struct backend *b, unsigned fields, struct er
             return NULL;
     }
     return &b->seen;
-}
-
-const struct particles *cuda_walls(struct backend *b)
-{
-    return &b->seen_wall;
 }
 
 const struct backend_counts *cuda_counts(struct backend *b)

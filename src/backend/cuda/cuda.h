@@ -48,7 +48,7 @@ struct backend {
     struct space space;
     bool all, timed;
     struct particles particles, wall; /* on the device */
-    struct particles seen, seen_wall; /* copies in host memory */
+    struct particles seen;            /* copies in host memory */
     struct particles curl;            /* sorted copy for vorticity, on the device */
     struct cells cells, wall_cells, curl_cells;
     struct device_sorting sorting;
@@ -57,6 +57,8 @@ struct backend {
     struct scalars *scalars; /* on the device */
     struct scalars *in;      /* pinned: of the step, and of each solve */
     struct scalars *out;     /* pinned */
+    float *fixed;            /* on the device: values of pictures that never change; or NULL */
+    uint64_t *hash, *hash_read; /* on the device, and pinned */
     struct queued queue[QUEUE_MAX];
     size_t queued;
     struct recording recordings[GRAPHS_MAX];
@@ -75,6 +77,9 @@ static inline void cuda_launch(struct backend *b, enum kernel_id kernel, size_t 
 
 /* Device memory of `count` records of `size` bytes, padded to blocks of lanes. */
 void *cuda_array(struct backend *b, const char *label, size_t count, size_t size, struct error *e);
+
+/* Copies from any host memory, and waits for it. */
+enum status cuda_upload(struct backend *b, void *to, const void *from, size_t bytes, struct error *e);
 
 /* Sorts particles for rows of radius `radius` (m). */
 enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cells, double radius,
@@ -121,7 +126,9 @@ enum status cuda_open_on(const struct device_row *row, const struct kernel *kern
 enum status cuda_run(struct backend *b, enum pass_id pass, struct step *step, struct error *e);
 void cuda_swap(struct backend *b);
 const struct particles *cuda_state(struct backend *b, unsigned fields, struct error *e);
-const struct particles *cuda_walls(struct backend *b);
+enum status cuda_show(struct backend *b, const struct shown *how, struct device_event *filled,
+                      struct error *e);
+enum status cuda_hash(struct backend *b, uint64_t *hash, struct error *e);
 const struct backend_counts *cuda_counts(struct backend *b);
 const char *cuda_describe(struct backend *b);
 double cuda_peak(struct backend *b);
@@ -130,7 +137,7 @@ void cuda_close(struct backend *b);
 
 #define CUDA_FUNCTIONS                                                                             \
     .run = cuda_run, .begin = cuda_swap, .reject = cuda_swap, .settle = cuda_settle,               \
-    .state = cuda_state, .walls = cuda_walls, .counts = cuda_counts, .describe = cuda_describe,    \
+    .state = cuda_state, .show = cuda_show, .hash = cuda_hash, .counts = cuda_counts, .describe = cuda_describe,    \
     .peak = cuda_peak, .bandwidth = cuda_bandwidth, .close = cuda_close
 
 #endif

@@ -13,3 +13,6 @@
 #define ORDER(name) {#name, sizeof(struct order_work), run_order_##name},
 #include "backend/cuda/order_list.h"
 #undef ORDER
+#define FRAME(name, type) {"frame: " #name, sizeof(type), run_frame_##name},
+#include "backend/cuda/frame_list.h"
+#undef FRAME

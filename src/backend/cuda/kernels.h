@@ -2,6 +2,7 @@
 #ifndef BACKEND_CUDA_KERNELS_H
 #define BACKEND_CUDA_KERNELS_H
 
+#include "backend/cuda/frame_work.h"
 #include "backend/cuda/order_work.h"
 #include "backend/stages.h"
 #include "device/device.h"
@@ -20,10 +21,14 @@ enum kernel_id {
 #define ORDER(name) KERNEL_order_##name,
 #include "backend/cuda/order_list.h"
 #undef ORDER
+#define FRAME(name, type) KERNEL_frame_##name,
+#include "backend/cuda/frame_list.h"
+#undef FRAME
     KERNEL_COUNT
 };
 
-/* By enum kernel_id; those of stages and pair bodies take struct work, the others struct order_work. */
+/* By enum kernel_id; those of stages and pair bodies take struct work, of sorting and rows struct order_work,
+ * of frames what their list says. */
 extern const struct kernel kernels_host[KERNEL_COUNT];
 extern const struct kernel kernels_cuda[KERNEL_COUNT]; /* only with CUDA=1 */
 

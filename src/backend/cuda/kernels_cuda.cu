@@ -17,6 +17,7 @@ static inline void residual_count(const struct work *w, size_t i, int64_t error,
 
 #include "backend/bodies/each.h"
 #include "backend/bodies/pair_bodies.h"
+#include "backend/cuda/frame.h"
 #include "backend/cuda/order.h"
 }
 #undef inline
@@ -27,6 +28,7 @@ extern "C" {
 
 static_assert(sizeof(struct work) <= KERNEL_ARGS && sizeof(struct order_work) <= KERNEL_ARGS,
               "arguments of kernels fit");
+static_assert(sizeof(struct shown) <= KERNEL_ARGS, "arguments of kernels fit");
 
 enum { THREADS = 256, PAIR_THREADS = 128, GRID_MAX = 2048, WARP = 32 };
 
@@ -216,21 +218,26 @@ static __device__ double sum_in_order(double term)
 #undef FORCE
 #undef PAIR
 
-#define ORDER(name)                                                                                \
+/* Of as many threads as there are things to do. */
+#define PLAIN(name, type)                                                                          \
     __global__ void __launch_bounds__(THREADS)                                                     \
-        kernel_order_##name(const __grid_constant__ struct order_work work, size_t threads)        \
+        kernel_##name(const __grid_constant__ type work, size_t threads)                           \
     {                                                                                              \
         size_t i = (size_t)blockIdx.x * THREADS + threadIdx.x;                                     \
         if (i < threads)                                                                           \
-            order_##name(&work, i);                                                                \
+            name(&work, i);                                                                        \
     }                                                                                              \
-    static void run_order_##name(size_t threads, const void *args, void *stream)                   \
+    static void run_##name(size_t threads, const void *args, void *stream)                         \
     {                                                                                              \
-        kernel_order_##name<<<blocks_for(threads, THREADS), THREADS, 0, (cudaStream_t)stream>>>(   \
-            *(const struct order_work *)args, threads);                                            \
+        kernel_##name<<<blocks_for(threads, THREADS), THREADS, 0, (cudaStream_t)stream>>>(         \
+            *(const type *)args, threads);                                                         \
     }
+#define ORDER(name) PLAIN(order_##name, struct order_work)
 #include "backend/cuda/order_list.h"
 #undef ORDER
+#define FRAME(name, type) PLAIN(frame_##name, type)
+#include "backend/cuda/frame_list.h"
+#undef FRAME
 
 extern "C" const struct kernel kernels_cuda[KERNEL_COUNT] = {
 #include "backend/cuda/kernel_rows.h"

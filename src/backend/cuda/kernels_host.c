@@ -34,6 +34,7 @@ static inline void residual_count(const struct work *w, size_t i, int64_t error,
 
 #include "backend/bodies/each.h"
 #include "backend/bodies/pair_bodies.h"
+#include "backend/cuda/frame.h"
 #include "backend/cuda/order.h"
 
 #define KERNEL(name, ...)                                                                          \
@@ -93,6 +94,16 @@ static inline void residual_count(const struct work *w, size_t i, int64_t error,
     }
 #include "backend/cuda/order_list.h"
 #undef ORDER
+
+#define FRAME(name, type)                                                                          \
+    static void run_frame_##name(size_t threads, const void *args, void *stream)                   \
+    {                                                                                              \
+        const type *w = args;                                                                      \
+        (void)stream;                                                                              \
+        BACKWARDS frame_##name(w, i);                                                              \
+    }
+#include "backend/cuda/frame_list.h"
+#undef FRAME
 
 const struct kernel kernels_host[KERNEL_COUNT] = {
 #include "backend/cuda/kernel_rows.h"

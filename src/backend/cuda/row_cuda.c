@@ -30,6 +30,7 @@ static double memory(int device, char name[64], struct error *e)
 const struct backend_row backend_cuda = {
     .variant = {.name = NAME, .doc = DOC},
     .has_devices = true,
+    .device = &device_cuda,
     .available = available,
     .memory = memory,
     .open = open_cuda,

@@ -9,6 +9,7 @@ static enum status open_host(struct backend **out, const struct backend_setup *s
 
 const struct backend_row backend_cuda_host = {
     .variant = {.name = "cuda-host", .doc = "the passes of cuda on the host"},
+    .device = &device_host,
     .open = open_host,
     CUDA_FUNCTIONS,
 };

@@ -1,9 +1,9 @@
 /* Colour by body. */
 #include "render/color.h"
 
-static float value(const struct color_source *source, size_t i)
+static float fixed(const struct fill *start, size_t id)
 {
-    return (float)source->start->body[particles_id(source->particles)[i]];
+    return (float)start->body[id];
 }
 
 static void range(const struct color_expectation *expect, double out[2])
@@ -19,7 +19,7 @@ const struct color_row color_body = {
     .unit = "",
     .reads = FIELD_BIT(FIELD_ID),
     .counts = true,
-    .value = value,
+    .fixed = fixed,
     .range = range,
     .estimate = "a colour for each body",
 };

@@ -1,11 +1,6 @@
 /* Colour by density. */
 #include "render/color.h"
 
-static float value(const struct color_source *source, size_t i)
-{
-    return particles_density(source->particles)[i];
-}
-
 static void range(const struct color_expectation *expect, double out[2])
 {
     out[0] = 0.98 * expect->density;
@@ -17,7 +12,7 @@ const struct color_row color_density = {
     .label = "density",
     .unit = "kg/m\302\263",
     .reads = FIELD_BIT(FIELD_DENSITY),
-    .value = value,
+    .value = VALUE_density,
     .range = range,
     .estimate = "2 % about the largest rest density",
 };

@@ -1,12 +1,6 @@
 /* Colour by the error of density. */
 #include "render/color.h"
 
-static float value(const struct color_source *source, size_t i)
-{
-    const struct particles *p = source->particles;
-    return particles_density(p)[i] / source->rest_density[particles_fluid(p, i)] - 1;
-}
-
 static void range(const struct color_expectation *expect, double out[2])
 {
     (void)expect;
@@ -20,7 +14,7 @@ const struct color_row color_density_error = {
     .unit = "",
     .reads = FIELD_BIT(FIELD_DENSITY),
     .has_sign = true,
-    .value = value,
+    .value = VALUE_density_error,
     .range = range,
     .estimate = "1 % about the rest density",
 };

@@ -1,11 +1,6 @@
 /* Colour by fluid. */
 #include "render/color.h"
 
-static float value(const struct color_source *source, size_t i)
-{
-    return (float)particles_fluid(source->particles, i);
-}
-
 static void range(const struct color_expectation *expect, double out[2])
 {
     out[0] = -0.5;
@@ -22,7 +17,7 @@ const struct color_row color_fluid = {
     .label = "fluid",
     .unit = "",
     .counts = true,
-    .value = value,
+    .value = VALUE_fluid,
     .range = range,
     .name = name,
     .estimate = "a colour for each fluid",

@@ -1,9 +1,10 @@
 /* Colour by number of the particle. */
 #include "render/color.h"
 
-static float value(const struct color_source *source, size_t i)
+static float fixed(const struct fill *start, size_t id)
 {
-    return (float)particles_id(source->particles)[i];
+    (void)start;
+    return (float)id;
 }
 
 static void range(const struct color_expectation *expect, double out[2])
@@ -17,7 +18,7 @@ const struct color_row color_id = {
     .label = "particle",
     .unit = "",
     .reads = FIELD_BIT(FIELD_ID),
-    .value = value,
+    .fixed = fixed,
     .range = range,
     .estimate = "all particles",
 };

@@ -1,11 +1,6 @@
 /* Colour by pressure. */
 #include "render/color.h"
 
-static float value(const struct color_source *source, size_t i)
-{
-    return particles_motion(source->particles)[i].pressure;
-}
-
 static void range(const struct color_expectation *expect, double out[2])
 {
     out[0] = 0;
@@ -21,7 +16,7 @@ const struct color_row color_pressure = {
     .label = "pressure",
     .unit = "Pa",
     .reads = FIELD_BIT(FIELD_MOTION),
-    .value = value,
+    .value = VALUE_pressure,
     .range = range,
     .estimate = "hydrostatic pressure under the highest body",
 };

@@ -19,9 +19,9 @@ static void start_range(const struct fill *start, int axis, double out[2])
 }
 
 #define START_ALONG(axis, number)                                                                  \
-    static float value(const struct color_source *source, size_t i)                                \
+    static float fixed(const struct fill *start, size_t id)                                        \
     {                                                                                              \
-        return (float)source->start->point[particles_id(source->particles)[i]][number];            \
+        return (float)start->point[id][number];                                                    \
     }                                                                                              \
     static void range(const struct color_expectation *expect, double out[2])                       \
     {                                                                                              \
@@ -32,7 +32,7 @@ static void start_range(const struct fill *start, int axis, double out[2])
         .label = "initial " #axis,                                                                 \
         .unit = "m",                                                                               \
         .reads = FIELD_BIT(FIELD_ID),                                                              \
-        .value = value,                                                                            \
+        .fixed = fixed,                                                                            \
         .range = range,                                                                            \
         .estimate = "of the bodies",                                                               \
     }

@@ -1,4 +1,4 @@
 /* Colour by velocity along x. */
 #include "render/colors/velocity_along.h"
 
-VELOCITY_ALONG(x, 0);
+VELOCITY_ALONG(x);

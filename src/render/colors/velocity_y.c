@@ -1,4 +1,4 @@
 /* Colour by velocity along y. */
 #include "render/colors/velocity_along.h"
 
-VELOCITY_ALONG(y, 1);
+VELOCITY_ALONG(y);

@@ -1,4 +1,4 @@
 /* Colour by velocity along z. */
 #include "render/colors/velocity_along.h"
 
-VELOCITY_ALONG(z, 2);
+VELOCITY_ALONG(z);

@@ -3,11 +3,6 @@
 
 #include <math.h>
 
-static float value(const struct color_source *source, size_t i)
-{
-    return particles_vorticity(source->particles)[i];
-}
-
 /* 2 k U of Taylor-Green vortices with k = 2 pi / L, L the longest edge. */
 static void range(const struct color_expectation *expect, double out[2])
 {
@@ -24,7 +19,7 @@ const struct color_row color_vorticity = {
     .label = "vorticity",
     .unit = "1/s",
     .reads = FIELD_BIT(FIELD_VORTICITY),
-    .value = value,
+    .value = VALUE_vorticity,
     .range = range,
     .estimate = "Taylor-Green vortices as wide as the domain, at the expected speed",
 };

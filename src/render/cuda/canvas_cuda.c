@@ -20,6 +20,7 @@ static bool canvas_software(const void *canvas)
 const struct canvas_row canvas_cuda = {
     .variant = {.name = "cuda", .doc = "spheres by a GPU, without OpenGL; the same bits as cpu"},
     .open = canvas_open,
+    .share = canvas_device_share,
     .draw = canvas_device_draw,
     .name = canvas_device_name,
     .software = canvas_software,

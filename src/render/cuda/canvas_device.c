@@ -24,7 +24,7 @@ struct canvas {
     struct device *device;
     const struct splat_isa *isa; /* of colours, which are made here */
     struct occlusion occlusion;
-    struct mirror position, rgb, rays, blends;
+    struct mirror position, rgb, rays, blends, map;
     void *balls, *mask;          /* on the device */
     size_t ball_bytes, mask_bytes;
     uint64_t *seen, *nearest;    /* nearest: only with setup.raw */
@@ -97,6 +97,7 @@ void canvas_device_close(void *canvas)
         mirror_free(c, &c->rgb);
         mirror_free(c, &c->rays);
         mirror_free(c, &c->blends);
+        mirror_free(c, &c->map);
         for (size_t k = 0; k < sizeof blocks / sizeof *blocks; k++)
             if (blocks[k])
                 c->row->destroy(c->device, blocks[k]);
@@ -160,6 +161,18 @@ enum status canvas_device_open(void **canvas, const struct device_row *device, c
     return STATUS_OK;
 }
 
+enum status canvas_device_share(void *canvas, const struct slots *slots, struct error *e)
+{
+    struct canvas *c = canvas;
+    if (slots->source.row != c->row || slots->source.device != c->setup.device)
+        return error_set(e, STATUS_BACKEND, "they are computed by another device");
+    if (mirror_reserve(c, &c->map, "colours", sizeof c->grid.map, e))
+        return e->status;
+    memcpy(c->map.host, c->grid.map, sizeof c->grid.map);
+    mirror_upload(c, &c->map, 0, sizeof c->grid.map);
+    return STATUS_OK;
+}
+
 static void launch(struct canvas *c, enum draw_kernel kernel, size_t threads, const struct draw_work *work)
 {
     c->row->launch(c->device, &c->kernels[kernel], threads, work);
@@ -184,19 +197,27 @@ static void slice_pack(struct canvas *c, const struct ball_view *view, const str
 
 enum { SLICE = 1 << 17 }; /* particles that are uploaded while the next are packed; a multiple of CHUNK */
 
-static enum status particles_upload(struct canvas *c, const struct render_frame *frame, struct error *e)
+/* The frame's particles are on the device, or will be. */
+static void particles_follow(struct canvas *c, const struct render_frame *frame, struct draw_work *w)
+{
+    c->row->follow(c->device, frame->slot->filled);
+    w->position = frame->slot->to.position;
+    w->word = frame->slot->to.word;
+    w->map = c->setup.solid ? NULL : c->map.device;
+    w->scale = frame->scale ? *frame->scale : c->setup.scale;
+}
+
+static enum status particles_upload(struct canvas *c, const struct render_frame *frame, struct draw_work *w,
+                                    struct error *e)
 {
     const struct scene *scene = c->setup.scene;
     const struct ball_view view = {.loops = c->isa->project, .threads = c->grid.threads, .setup = &c->setup,
                                    .map = c->grid.map};
     const size_t place = 3 * sizeof(float), count = frame->count;
-    if (count >= UINT32_MAX)
-        return error_set(e, STATUS_RUN, "out of memory for drawing %zu particles", count);
     if (scene->render.occlusion > 0 && occlusion_make(&c->occlusion, scene, frame, c->grid.threads, e))
         return e->status;
     if (mirror_reserve(c, &c->position, "spheres", count * place, e) ||
-        mirror_reserve(c, &c->rgb, "spheres", count * sizeof(uint32_t), e) ||
-        room_reserve(c, &c->balls, &c->ball_bytes, "spheres", count * sizeof(struct ball), e))
+        mirror_reserve(c, &c->rgb, "spheres", count * sizeof(uint32_t), e))
         return e->status;
     for (size_t i = 0; i < count; i += SLICE) {
         const size_t some = count - i < SLICE ? count - i : SLICE;
@@ -204,6 +225,8 @@ static enum status particles_upload(struct canvas *c, const struct render_frame 
         mirror_upload(c, &c->position, i * place, some * place);
         mirror_upload(c, &c->rgb, i * sizeof(uint32_t), some * sizeof(uint32_t));
     }
+    w->position = c->position.device;
+    w->word = c->rgb.device;
     return STATUS_OK;
 }
 
@@ -224,11 +247,15 @@ static void rays_upload(struct canvas *c, const struct camera *camera, struct sp
 static enum status spheres_queue(struct canvas *c, const struct render_frame *frame, struct draw_work *w,
                                  struct error *e)
 {
-    launch(c, DRAW_clear, samples_of(c), w);
-    if (particles_upload(c, frame, e))
+    if (frame->count >= UINT32_MAX)
+        return error_set(e, STATUS_RUN, "out of memory for drawing %zu particles", frame->count);
+    if (room_reserve(c, &c->balls, &c->ball_bytes, "spheres", frame->count * sizeof(struct ball), e))
         return e->status;
-    w->position = c->position.device;
-    w->rgb = c->rgb.device;
+    launch(c, DRAW_clear, samples_of(c), w);
+    if (frame->slot)
+        particles_follow(c, frame, w);
+    else if (particles_upload(c, frame, w, e))
+        return e->status;
     w->balls = c->balls;
     w->splat.balls = c->balls;
     launch(c, DRAW_place, frame->count, w);

@@ -8,6 +8,7 @@
 /* `kernels` are those of the device, by enum draw_kernel. As canvas_row.open and the others. */
 enum status canvas_device_open(void **canvas, const struct device_row *device, const struct kernel *kernels,
                                const struct render_setup *setup, struct error *e);
+enum status canvas_device_share(void *canvas, const struct slots *slots, struct error *e);
 enum status canvas_device_draw(void *canvas, const struct camera *camera, const struct render_frame *frame,
                                struct image *image, struct error *e);
 const char *canvas_device_name(const void *canvas);

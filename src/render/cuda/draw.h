@@ -33,6 +33,26 @@ static inline void draw_clear(const struct draw_work *w, size_t i)
     w->seen[i] = draw_key(INFINITY, UINT32_MAX);
 }
 
+/* The place of particle i in the map. */
+static inline float draw_map_place(const struct draw_work *w, size_t i)
+{
+    float value;
+    memcpy(&value, &w->word[i], sizeof value);
+    return scale_place(&w->scale, value);
+}
+
+/* Particle i as OpenGL's sprites want it. */
+static inline void draw_pack(const struct draw_work *w, size_t i)
+{
+    uint32_t word = w->word[i];
+    if (w->map) {
+        const float place = draw_map_place(w, i);
+        memcpy(&word, &place, sizeof word);
+    }
+    memcpy(w->packed[i], w->position + 3 * i, 3 * sizeof word);
+    w->packed[i][3] = word;
+}
+
 /* Particle i becomes a sphere in camera axes; without extent where it is out of sight. */
 static inline void draw_place(const struct draw_work *w, size_t i)
 {
@@ -45,7 +65,8 @@ static inline void draw_place(const struct draw_work *w, size_t i)
     place_extent(&w->from, 0, b.x, b.z, &left, &right);
     place_extent(&w->from, 1, b.y, b.z, &top, &bottom);
     seen = place_seen(&w->from, b.x, b.y, b.z, left, right, top, bottom);
-    memcpy(b.rgb, &w->rgb[i], sizeof b.rgb);
+    const uint32_t rgb = w->map ? scale_color(w->map, draw_map_place(w, i)) : w->word[i];
+    memcpy(b.rgb, &rgb, sizeof b.rgb);
     b.left = (uint16_t)(int)(seen * left);
     b.right = (uint16_t)(int)(seen * right);
     b.top = (uint16_t)(int)(seen * top);

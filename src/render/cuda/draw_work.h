@@ -4,12 +4,16 @@
 
 #include "render/picture.h"
 #include "render/place.h"
+#include "render/scale.h"
 
 struct draw_work {
     struct splat splat;       /* its arrays are on the device */
     struct viewpoint from;
     const float *position;    /* of each particle, m */
-    const uint32_t *rgb;      /* red in the lowest byte */
+    const uint32_t *word;     /* of each: its colour, red in the lowest byte, or bits of its value (float) */
+    const uint32_t *map;      /* of values: the palette; NULL: words are colours */
+    struct color_scale scale;
+    uint32_t (*packed)[4];    /* bits of x, y, z, and of the place in the map, or the colour */
     struct ball *balls;
     uint64_t *seen;           /* of each sample: bits of the depth of what is nearest, then its number */
     int width, height;        /* samples */

@@ -49,12 +49,11 @@ enum status trial_run(struct scene_trial *trial, long steps, int threads, struct
             return take_reason(trial, e);
         }
     double ns = (clock_cpu_seconds() - start) * 1e9 / n / (double)steps;
-    const struct particles *p = s.row->state(s.backend, PARTICLES_HASHED, e);
-    if (!p) {
+    uint64_t hash;
+    if (s.row->hash(s.backend, &hash, e)) {
         simulation_close(&s);
         return e->status;
     }
-    uint64_t hash = particles_hash(p);
     if (isfinite(trial->ns) && hash != trial->hash)
         error_set(e, STATUS_RUN, "%s: the same steps ended in another state; this is a defect of the "
                   "program or the machine", trial->scene->source);

@@ -1,0 +1,12 @@
+/* The list of the numbers that colours can show of a particle: VALUE(name, expression), of `s` (struct shown)
+ * and the particle's place i in memory. Included again and again. */
+VALUE(velocity, shown_speed(s->motion[i].velocity))
+VALUE(velocity_x, s->motion[i].velocity[0])
+VALUE(velocity_y, s->motion[i].velocity[1])
+VALUE(velocity_z, s->motion[i].velocity[2])
+VALUE(pressure, s->motion[i].pressure)
+VALUE(density, s->density[i])
+VALUE(density_error, s->density[i] / s->rest_density[shown_fluid(s, i)] - 1)
+VALUE(vorticity, s->vorticity[i])
+VALUE(fluid, (float)shown_fluid(s, i))
+VALUE(fixed, s->fixed[s->id[i]])
