@@ -55,7 +55,7 @@ ifeq ($(CUDA),1)
 CUDA_ROOT  := $(patsubst %/bin/nvcc,%,$(realpath $(NVCC)))
 CUDA_KNOWN := $(shell $(NVCC) --list-gpu-code 2>/dev/null | sed 's/sm_//')
 CUDA_ARCHS ?= $(filter $(CUDA_KNOWN),75 80 86 90)
-NVCCFLAGS  := -std=c++20 -O3 --fmad=false -lineinfo -Isrc $(if $(filter clang,$(CC)),,-ccbin g++) \
+NVCCFLAGS  := -std=c++20 -O3 --fmad=false -lineinfo -Isrc -DHAVE_EGL=$(EGL) $(if $(filter clang,$(CC)),,-ccbin g++) \
               $(foreach a,$(CUDA_ARCHS),-gencode arch=compute_$(a),code=sm_$(a)) \
               -gencode arch=compute_$(lastword $(CUDA_ARCHS)),code=compute_$(lastword $(CUDA_ARCHS))
 CUDA_LIB   := $(firstword $(wildcard $(CUDA_ROOT)/lib64/libcudart_static.a \

@@ -1,4 +1,6 @@
 /* Renderers: every one of the build draws the same picture, and failures say what to do. */
+#include "render/context.h"
+#include "render/egl_devices.h"
 #include "render_fixture.h"
 
 #include <setjmp.h>
@@ -96,6 +98,27 @@ static void contexts_take_turns(void **state)
     image_free(&second);
 }
 
+/* A GPU that is not there may be asked for: any other will do. */
+static void any_device_will_do(void **state)
+{
+    static const struct gl_context_row *const rows[] = {&context_egl, &context_osmesa};
+    (void)state;
+    assert_int_equal(egl_device_of_cuda(-1), -1);
+    assert_int_equal(egl_device_of_cuda(1000), -1);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct error e = {.text = ""};
+        void *context;
+        if (!in_build(rows[i]->name))
+            continue;
+        if (rows[i]->open(&context, 1000, &e))
+            fail_msg("%s", e.text);
+        int cuda = rows[i]->cuda(context);
+        assert_true(cuda >= -1 && cuda < 1000);
+        assert_true(cuda < 0 || egl_device_of_cuda(cuda) >= 0);
+        rows[i]->close(context);
+    }
+}
+
 static void bad_requests(void **state)
 {
     struct scene scene;
@@ -138,6 +161,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contexts_agree), cmocka_unit_test(contexts_take_turns),
         cmocka_unit_test(bad_requests),   cmocka_unit_test(missing_rows),
+        cmocka_unit_test(any_device_will_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

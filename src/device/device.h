@@ -93,12 +93,14 @@ struct device_row {
     struct device_event *(*event)(struct device *device, struct error *e);
     void (*drop)(struct device *device, struct device_event *event);
     /* Queued: the event happens once all that is queued so far is done; what is queued from now on waits for
-     * the event's latest signal, of any device on the same GPU. It never was: there is nothing to wait for. */
+     * the event's latest signal, of any device on the same GPU. It never was: there is nothing to wait for.
+     * Neither can be recorded: then `recorded` is NULL. */
     void (*signal)(struct device *device, struct device_event *event);
     void (*follow)(struct device *device, struct device_event *event);
     /* Makes a buffer of OpenGL one that kernels can write to, once; STATUS_BACKEND says why it cannot be. From
-     * map to unmap it is the device's, and the address may differ each time; else it is OpenGL's. Both are
-     * ordered with the device's queue. The context must be current in all four. */
+     * map to unmap it is the device's, and the address may differ each time; else it is OpenGL's. What it had
+     * before is lost. Both are ordered with the device's queue, and cannot be recorded. The context must be
+     * current in all four. */
     struct device_buffer *(*attach)(struct device *device, const struct device_gl *gl, struct error *e);
     void (*detach)(struct device *device, struct device_buffer *buffer);
     void *(*map)(struct device *device, struct device_buffer *buffer, struct error *e);

@@ -2,6 +2,9 @@
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 #include <cuda_runtime.h>
+#if HAVE_EGL
+#include <cuda_gl_interop.h> /* includes GL/gl.h; nothing of OpenGL is linked */
+#endif
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +26,15 @@ struct device {
 
 struct device_graph {
     cudaGraphExec_t exec;
+};
+
+struct device_event {
+    cudaEvent_t event;
+};
+
+struct device_buffer {
+    cudaGraphicsResource_t resource;
+    size_t bytes;
 };
 
 /* The device of a thread's calls is the thread's own: frames may be drawn by another than steps. */
@@ -293,6 +305,119 @@ static void cuda_forget(struct device *d, struct device_graph *graph)
     free(graph);
 }
 
+static struct device_event *cuda_event(struct device *d, struct error *e)
+{
+    struct device_event *event = (struct device_event *)calloc(1, sizeof *event);
+    stream_of(d);
+    cudaError_t result = event ? cudaEventCreateWithFlags(&event->event, cudaEventDisableTiming)
+                               : cudaErrorMemoryAllocation;
+    if (result == cudaSuccess)
+        return event;
+    cudaGetLastError();
+    free(event);
+    error_set(e, STATUS_RUN, "the GPU has no event to wait for: %s", cudaGetErrorString(result));
+    return NULL;
+}
+
+static void cuda_drop(struct device *d, struct device_event *event)
+{
+    if (!event)
+        return;
+    stream_of(d);
+    cudaEventDestroy(event->event);
+    free(event);
+}
+
+/* What is recorded waits for nothing outside its graph, and nothing outside waits for it. */
+static cudaError_t not_recording(cudaStream_t stream)
+{
+    cudaStreamCaptureStatus capture = cudaStreamCaptureStatusNone;
+    cudaError_t result = cudaStreamIsCapturing(stream, &capture);
+    return capture == cudaStreamCaptureStatusNone ? result : cudaErrorStreamCaptureUnsupported;
+}
+
+static void cuda_signal(struct device *d, struct device_event *event)
+{
+    cudaStream_t stream = stream_of(d);
+    cudaError_t result = not_recording(stream);
+    keep(d, result == cudaSuccess ? cudaEventRecord(event->event, stream) : result, "an event");
+}
+
+static void cuda_follow(struct device *d, struct device_event *event)
+{
+    cudaStream_t stream = stream_of(d);
+    cudaError_t result = not_recording(stream);
+    keep(d, result == cudaSuccess ? cudaStreamWaitEvent(stream, event->event, 0) : result, "an event");
+}
+
+#if HAVE_EGL
+
+/* CUDA refuses a context of another GPU, and one that is not current in this thread. */
+static struct device_buffer *cuda_attach(struct device *d, const struct device_gl *gl, struct error *e)
+{
+    struct device_buffer *buffer = (struct device_buffer *)calloc(1, sizeof *buffer);
+    if (!buffer) {
+        error_set(e, STATUS_RUN, "out of memory");
+        return NULL;
+    }
+    buffer->bytes = gl->bytes;
+    stream_of(d);
+    cudaError_t result = cudaGraphicsGLRegisterBuffer(&buffer->resource, gl->name,
+                                                      cudaGraphicsRegisterFlagsWriteDiscard);
+    if (result == cudaSuccess)
+        return buffer;
+    cudaGetLastError();
+    free(buffer);
+    error_set(e, STATUS_BACKEND, "cuda:%d cannot write to OpenGL's buffer %u: %s (%s)", d->index, gl->name,
+              cudaGetErrorString(result), cudaGetErrorName(result));
+    return NULL;
+}
+
+#else
+
+static struct device_buffer *cuda_attach(struct device *d, const struct device_gl *gl, struct error *e)
+{
+    error_set(e, STATUS_BACKEND, "cuda:%d cannot write to OpenGL's buffer %u: not in this build; build with "
+              "make EGL=1", d->index, gl->name);
+    return NULL;
+}
+
+#endif
+
+static void cuda_detach(struct device *d, struct device_buffer *buffer)
+{
+    if (!buffer)
+        return;
+    stream_of(d);
+    keep(d, cudaGraphicsUnregisterResource(buffer->resource), "giving OpenGL's buffer back");
+    free(buffer);
+}
+
+static enum status cuda_unmap(struct device *d, struct device_buffer *buffer, struct error *e)
+{
+    keep(d, cudaGraphicsUnmapResources(1, &buffer->resource, stream_of(d)), "giving OpenGL's buffer back");
+    return report(d, e);
+}
+
+static void *cuda_map(struct device *d, struct device_buffer *buffer, struct error *e)
+{
+    static const char what[] = "taking OpenGL's buffer";
+    void *block = NULL;
+    size_t bytes = 0;
+    struct error ignored;
+    if (!keep(d, cudaGraphicsMapResources(1, &buffer->resource, stream_of(d)), what)) {
+        report(d, e);
+        return NULL;
+    }
+    if (keep(d, cudaGraphicsResourceGetMappedPointer(&block, &bytes, buffer->resource), what) &&
+        bytes < buffer->bytes)
+        error_set(e, STATUS_RUN, "OpenGL's buffer has %zu bytes for CUDA, not %zu", bytes, buffer->bytes);
+    else if (report(d, e) == STATUS_OK)
+        return block;
+    cuda_unmap(d, buffer, &ignored);
+    return NULL;
+}
+
 enum { PEAK_ROUNDS = 4096, PEAK_CHAINS = 8, PEAK_THREADS = 256 };
 
 __global__ void multiply_adds(float *out, float a, float b)
@@ -398,6 +523,14 @@ extern "C" const struct device_row device_cuda = {
     .recorded = cuda_recorded,
     .replay = cuda_replay,
     .forget = cuda_forget,
+    .event = cuda_event,
+    .drop = cuda_drop,
+    .signal = cuda_signal,
+    .follow = cuda_follow,
+    .attach = cuda_attach,
+    .detach = cuda_detach,
+    .map = cuda_map,
+    .unmap = cuda_unmap,
     .peak = cuda_peak,
     .bandwidth = cuda_bandwidth,
 };

@@ -26,6 +26,16 @@ struct device_graph {
 struct device {
     struct device_graph *recording; /* or NULL */
     bool lost;                      /* memory for a recording */
+    bool refused;                   /* the recording has what cannot be in one */
+};
+
+/* All that is queued is done at once, so an event has happened when it is signalled. */
+struct device_event {
+    char nothing;
+};
+
+struct device_buffer {
+    struct device_gl gl;
 };
 
 static void run(const struct command *c)
@@ -177,14 +187,26 @@ static enum status host_wait(struct device *d, struct error *e)
 static bool host_record(struct device *d)
 {
     d->recording = calloc(1, sizeof *d->recording);
+    d->refused = false;
     return d->recording != NULL;
+}
+
+static void host_forget(struct device *d, struct device_graph *graph)
+{
+    (void)d;
+    if (graph)
+        free(graph->command);
+    free(graph);
 }
 
 static struct device_graph *host_recorded(struct device *d)
 {
     struct device_graph *graph = d->recording;
     d->recording = NULL;
-    return graph;
+    if (!d->refused)
+        return graph;
+    host_forget(d, graph);
+    return NULL;
 }
 
 static void host_replay(struct device *d, struct device_graph *graph)
@@ -194,12 +216,62 @@ static void host_replay(struct device *d, struct device_graph *graph)
         run(&graph->command[k]);
 }
 
-static void host_forget(struct device *d, struct device_graph *graph)
+static struct device_event *host_event(struct device *d, struct error *e)
 {
     (void)d;
-    if (graph)
-        free(graph->command);
-    free(graph);
+    return memory_create("events", 1, sizeof(struct device_event), e);
+}
+
+static void host_drop(struct device *d, struct device_event *event)
+{
+    (void)d;
+    memory_free(event);
+}
+
+static void host_signal(struct device *d, struct device_event *event)
+{
+    (void)event;
+    d->refused = d->recording != NULL;
+}
+
+static struct device_buffer *host_attach(struct device *d, const struct device_gl *gl, struct error *e)
+{
+    (void)d;
+    if (!gl->map) {
+        error_set(e, STATUS_BACKEND, "buffer %u of OpenGL cannot be written to by the host", gl->name);
+        return NULL;
+    }
+    struct device_buffer *buffer = memory_create("buffers of OpenGL", 1, sizeof *buffer, e);
+    if (buffer)
+        buffer->gl = *gl;
+    return buffer;
+}
+
+static void host_detach(struct device *d, struct device_buffer *buffer)
+{
+    (void)d;
+    memory_free(buffer);
+}
+
+static void *host_map(struct device *d, struct device_buffer *buffer, struct error *e)
+{
+    const struct device_gl *gl = &buffer->gl;
+    if (d->recording) {
+        error_set(e, STATUS_RUN, "a buffer of OpenGL cannot be mapped within a recording");
+        return NULL;
+    }
+    void *block = gl->map(gl->context, gl->name, gl->bytes);
+    if (!block)
+        error_set(e, STATUS_RUN, "OpenGL does not give its buffer %u of %zu bytes", gl->name, gl->bytes);
+    return block;
+}
+
+static enum status host_unmap(struct device *d, struct device_buffer *buffer, struct error *e)
+{
+    (void)d;
+    if (buffer->gl.unmap(buffer->gl.context, buffer->gl.name))
+        return STATUS_OK;
+    return error_set(e, STATUS_RUN, "OpenGL lost the contents of its buffer %u", buffer->gl.name);
 }
 
 /* Tests do not measure. */
@@ -230,6 +302,14 @@ const struct device_row device_host = {
     .recorded = host_recorded,
     .replay = host_replay,
     .forget = host_forget,
+    .event = host_event,
+    .drop = host_drop,
+    .signal = host_signal,
+    .follow = host_signal,
+    .attach = host_attach,
+    .detach = host_detach,
+    .map = host_map,
+    .unmap = host_unmap,
     .peak = host_peak,
     .bandwidth = host_peak,
 };

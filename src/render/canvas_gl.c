@@ -145,7 +145,7 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     r->width = setup->scene->movie.size[0];
     r->height = setup->scene->movie.size[1];
     r->clear = setup->scene->render.transparent || !isnan(setup->scene->render.background_top[0]);
-    enum status status = r->row->open(&r->context, e);
+    enum status status = r->row->open(&r->context, setup->on_device ? setup->device : -1, e);
     if (status == STATUS_OK)
         status = r->row->bind(r->context, e);
     if (status == STATUS_OK) {

@@ -19,13 +19,15 @@
 
 struct gl_context_row {
     const char *name;
-    /* Makes a context, not yet current; STATUS_BACKEND says what was tried. */
-    enum status (*open)(void **state, struct error *e);
+    /* Makes a context, not yet current, on the GPU that is CUDA device number `cuda` if it can be had there;
+     * -1: on any. STATUS_BACKEND says what was tried. */
+    enum status (*open)(void **state, int cuda, struct error *e);
     /* Makes it current on this thread, and releases it again: around every use, so that contexts
      * of different libraries can take turns on one thread. */
     enum status (*bind)(void *state, struct error *e);
     void (*unbind)(void *state);
     void *(*getproc)(void *state, const char *name);
+    int (*cuda)(void *state); /* number of the CUDA device that it draws on; -1: of none, or unknown */
     void (*close)(void *state); /* accepts NULL; the context must not be current */
 };
 

@@ -2,6 +2,8 @@
  * surfaceless platform. libEGL is loaded when asked for, so the program starts without it. */
 #include "render/context.h"
 
+#include "render/egl_devices.h"
+
 #if HAVE_EGL
 
 #define EGL_NO_X11
@@ -14,8 +16,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { MAX_DEVICES = 32 };
 
 /* X(result, name without egl, arguments) */
 #define EGL_FUNCTIONS(X)                                                                           \
@@ -32,33 +32,27 @@ enum { MAX_DEVICES = 32 };
     X(EGLBoolean, Terminate, (EGLDisplay))
 
 struct egl {
-    void *library;
     EGLDisplay display;
     EGLContext context;
+    int cuda; /* number of the CUDA device that it draws on; -1: of none, or unknown */
 #define X(result, name, args) result(*name) args;
     EGL_FUNCTIONS(X)
 #undef X
-    PFNEGLQUERYDEVICESEXTPROC QueryDevices;           /* extensions, may be NULL */
-    PFNEGLQUERYDEVICESTRINGEXTPROC QueryDeviceString;
-    PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay;
+    PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay; /* of an extension */
 };
 
 static enum status library_open(struct egl *egl, struct error *e)
 {
-    void *address;
-    egl->library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!egl->library)
+    void *address, *library = egl_library();
+    if (!library)
         return error_set(e, STATUS_BACKEND, "%s (Debian package libegl1)", dlerror());
 #define X(result, name, args)                                                                      \
-    address = dlsym(egl->library, "egl" #name);                                                    \
+    address = dlsym(library, "egl" #name);                                                         \
     if (!address)                                                                                  \
         return error_set(e, STATUS_BACKEND, "libEGL.so.1 has no egl" #name);                       \
     memcpy(&egl->name, &address, sizeof address);
     EGL_FUNCTIONS(X)
 #undef X
-    egl->QueryDevices = (PFNEGLQUERYDEVICESEXTPROC)egl->GetProcAddress("eglQueryDevicesEXT");
-    egl->QueryDeviceString =
-        (PFNEGLQUERYDEVICESTRINGEXTPROC)egl->GetProcAddress("eglQueryDeviceStringEXT");
     egl->GetPlatformDisplay =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)egl->GetProcAddress("eglGetPlatformDisplayEXT");
     if (!egl->GetPlatformDisplay)
@@ -108,23 +102,28 @@ static bool display_open(struct egl *egl, EGLenum platform, void *native, const 
     return false;
 }
 
-/* GPUs first, then software devices. */
-static bool devices_open(struct egl *egl, char *why, size_t size)
+/* Which to try first: the GPU that is CUDA device `cuda`, other GPUs, software devices. */
+enum { RANK_SHARED, RANK_GPU, RANK_SOFTWARE, RANK_COUNT };
+
+static int rank_of(const struct egl_device *device, int cuda)
 {
-    EGLDeviceEXT devices[MAX_DEVICES];
-    EGLint count = 0;
-    if (!egl->QueryDevices || !egl->QueryDevices(MAX_DEVICES, devices, &count))
-        return false;
-    for (int software = 0; software <= 1; software++)
-        for (EGLint i = 0; i < count; i++) {
-            const char *list = egl->QueryDeviceString
-                                   ? egl->QueryDeviceString(devices[i], EGL_EXTENSIONS) : NULL;
-            bool is_software = list && strstr(list, "EGL_MESA_device_software");
-            if (is_software == (software == 1) &&
-                display_open(egl, EGL_PLATFORM_DEVICE_EXT, devices[i],
-                             software ? "software device" : "device", why, size))
+    if (cuda >= 0 && device->cuda == cuda)
+        return RANK_SHARED;
+    return device->software ? RANK_SOFTWARE : RANK_GPU;
+}
+
+static bool devices_open(struct egl *egl, int cuda, char *why, size_t size)
+{
+    struct egl_device devices[EGL_DEVICES];
+    int count = egl_devices(devices);
+    for (int rank = 0; rank < RANK_COUNT; rank++)
+        for (int i = 0; i < count; i++)
+            if (rank_of(&devices[i], cuda) == rank &&
+                display_open(egl, EGL_PLATFORM_DEVICE_EXT, devices[i].handle,
+                             devices[i].software ? "software device" : "device", why, size)) {
+                egl->cuda = devices[i].cuda;
                 return true;
-        }
+            }
     return false;
 }
 
@@ -139,19 +138,19 @@ static void egl_close(void *state)
         egl->Terminate(egl->display);
     if (egl->ReleaseThread)
         egl->ReleaseThread();
-    /* The library stays loaded: drivers leave threads and exit handlers behind. */
     free(egl);
 }
 
-static enum status egl_open(void **state, struct error *e)
+static enum status egl_open(void **state, int cuda, struct error *e)
 {
     char why[500] = "";
     enum status status;
     struct egl *egl = calloc(1, sizeof *egl);
     if (!egl)
         return error_set(e, STATUS_RUN, "out of memory");
+    egl->cuda = -1;
     status = library_open(egl, e);
-    if (status == STATUS_OK && !devices_open(egl, why, sizeof why) &&
+    if (status == STATUS_OK && !devices_open(egl, cuda, why, sizeof why) &&
         !display_open(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, "surfaceless", why,
                       sizeof why))
         status = error_set(e, STATUS_BACKEND, "no OpenGL 3.3 core context (%s); install a GPU "
@@ -189,11 +188,17 @@ static void *egl_getproc(void *state, const char *name)
     return address;
 }
 
+static int egl_cuda(void *state)
+{
+    return ((struct egl *)state)->cuda;
+}
+
 #else
 #define egl_open NULL
 #define egl_bind NULL
 #define egl_unbind NULL
 #define egl_getproc NULL
+#define egl_cuda NULL
 #define egl_close NULL
 #endif
 
@@ -203,5 +208,6 @@ const struct gl_context_row context_egl = {
     .bind = egl_bind,
     .unbind = egl_unbind,
     .getproc = egl_getproc,
+    .cuda = egl_cuda,
     .close = egl_close,
 };

@@ -56,13 +56,14 @@ static void osmesa_close(void *state)
     free(o); /* the library stays loaded, as with EGL */
 }
 
-static enum status osmesa_open(void **state, struct error *e)
+static enum status osmesa_open(void **state, int cuda, struct error *e)
 {
     static const int core[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
                                OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3,
                                0};
     enum status status;
     struct osmesa *o = calloc(1, sizeof *o);
+    (void)cuda;
     if (!o)
         return error_set(e, STATUS_RUN, "out of memory");
     status = library_open(o, e);
@@ -102,11 +103,18 @@ static void *osmesa_getproc(void *state, const char *name)
     return address;
 }
 
+static int osmesa_cuda(void *state)
+{
+    (void)state;
+    return -1;
+}
+
 #else
 #define osmesa_open NULL
 #define osmesa_bind NULL
 #define osmesa_unbind NULL
 #define osmesa_getproc NULL
+#define osmesa_cuda NULL
 #define osmesa_close NULL
 #endif
 
@@ -116,5 +124,6 @@ const struct gl_context_row context_osmesa = {
     .bind = osmesa_bind,
     .unbind = osmesa_unbind,
     .getproc = osmesa_getproc,
+    .cuda = osmesa_cuda,
     .close = osmesa_close,
 };

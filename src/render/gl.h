@@ -32,7 +32,8 @@ enum {
     GL_LINEAR = 0x2601, GL_CLAMP_TO_EDGE = 0x812F,
     GL_TEXTURE_MAG_FILTER = 0x2800, GL_TEXTURE_MIN_FILTER = 0x2801, GL_TEXTURE_WRAP_S = 0x2802,
     GL_TEXTURE0 = 0x84C0,
-    GL_ARRAY_BUFFER = 0x8892, GL_STREAM_DRAW = 0x88E0,
+    GL_ARRAY_BUFFER = 0x8892, GL_COPY_WRITE_BUFFER = 0x8F37, GL_STREAM_DRAW = 0x88E0,
+    GL_MAP_WRITE_BIT = 0x0002, GL_MAP_INVALIDATE_BUFFER_BIT = 0x0008,
     GL_FRAGMENT_SHADER = 0x8B30, GL_VERTEX_SHADER = 0x8B31,
     GL_COMPILE_STATUS = 0x8B81, GL_LINK_STATUS = 0x8B82,
     GL_FRAMEBUFFER = 0x8D40, GL_RENDERBUFFER = 0x8D41,
@@ -86,6 +87,7 @@ enum {
     X(const GLubyte *, GetString, (GLenum name))                                                   \
     X(GLint, GetUniformLocation, (GLuint program, const GLchar *name))                             \
     X(void, LinkProgram, (GLuint program))                                                         \
+    X(void *, MapBufferRange, (GLenum target, GLintptr offset, GLsizeiptr size, GLbitfield access)) \
     X(void, PixelStorei, (GLenum name, GLint param))                                               \
     X(void, ReadPixels, (GLint x, GLint y, GLsizei w, GLsizei h, GLenum f, GLenum t, void *data))  \
     X(void, RenderbufferStorage, (GLenum target, GLenum format, GLsizei w, GLsizei h))             \
@@ -100,6 +102,7 @@ enum {
     X(void, Uniform3f, (GLint location, GLfloat x, GLfloat y, GLfloat z))                          \
     X(void, Uniform4f, (GLint location, GLfloat x, GLfloat y, GLfloat z, GLfloat w))               \
     X(void, UniformMatrix4fv, (GLint location, GLsizei n, GLboolean transpose, const GLfloat *m))  \
+    X(GLboolean, UnmapBuffer, (GLenum target))                                                     \
     X(void, UseProgram, (GLuint program))                                                          \
     X(void, VertexAttribPointer, (GLuint index, GLint size, GLenum type, GLboolean normalized,     \
                                   GLsizei stride, const void *offset))                             \

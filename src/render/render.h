@@ -23,7 +23,8 @@ struct render_setup {
     const char *renderer;        /* row of render_table, or "auto" */
     int threads;                 /* of the cpu renderer; 0: all processors */
     const char *isa;             /* of the cpu renderer: a row of "isas"; NULL, "auto": the best */
-    int device;                  /* of the cuda renderer */
+    int device;                  /* number of the CUDA device: of the cuda renderer, and see on_device */
+    bool on_device;              /* frames are in its memory: OpenGL is asked for on the same GPU */
     double radius;               /* drawn sphere radius, m */
     struct color_scale scale;    /* of values, in the unit below; pinned for the film */
     uint8_t palette[MAP_SIZE][3];/* colours from the low to the high end */
