@@ -4,7 +4,7 @@
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/hidden.h"
-#include "render/sprites.h"
+#include "render/sprites_device.h"
 #include "render/wire_gl.h"
 
 #include <math.h>
@@ -17,6 +17,7 @@ struct canvas {
     void *context;
     struct gl gl;
     struct sprites sprites;
+    struct sprites_device device;
     struct wire_gl wire;
     GLuint framebuffer, color, depth;
     int width, height; /* of a frame, pixels */
@@ -98,6 +99,7 @@ static void resources_close(struct canvas *r)
 {
     const struct gl *gl = &r->gl;
     wire_close(&r->wire, gl);
+    sprites_device_close(&r->device);
     sprites_close(&r->sprites, gl);
     if (r->framebuffer) {
         gl->DeleteFramebuffers(1, &r->framebuffer);
@@ -162,7 +164,8 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
 /* Depth 1: behind the domain and every particle. */
 static double far_distance(const struct canvas *r, const struct camera *camera, size_t count)
 {
-    double far = sprites_reach(&r->sprites, count, camera, r->setup.radius);
+    double far = r->device.slots ? sprites_device_reach(&r->device, camera, r->setup.radius)
+                                 : sprites_reach(&r->sprites, count, camera, r->setup.radius);
     for (int i = 0; i < 8; i++) {
         double corner[3], view[3];
         camera_corner(r->setup.scene, i, r->setup.radius, corner);
@@ -180,11 +183,10 @@ static enum status gl_draw(struct canvas *r, const struct camera *camera,
     const double *back = scene->render.background;
     const bool clear = r->clear;
     GLsizei width = r->width * r->samples, height = r->height * r->samples;
-    size_t count;
-    double far;
-    count = hidden_drop(camera, r->sprites.packed, frame->count, r->setup.radius, r->samples,
-                        r->cover);
-    far = far_distance(r, camera, count);
+    const size_t count = frame->slot ? frame->count
+                                     : hidden_drop(camera, r->sprites.packed, frame->count, r->setup.radius,
+                                                   r->samples, r->cover);
+    const double far = far_distance(r, camera, count);
     gl->BindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
     gl->Viewport(0, 0, width, height);
     gl->Disable(GL_DITHER);
@@ -264,15 +266,26 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
                                const struct render_frame *frame, struct image *image, struct error *e)
 {
     struct canvas *r = canvas;
-    enum status status = sprites_prepare(&r->sprites, &r->setup, frame, e);
+    if ((!frame->slot && sprites_prepare(&r->sprites, &r->setup, frame, e)) || r->row->bind(r->context, e))
+        return e->status;
+    enum status status = STATUS_OK;
+    if (frame->slot)
+        status = sprites_device_prepare(&r->device, &r->sprites, &r->setup, frame, e);
     if (status == STATUS_OK)
-        status = r->row->bind(r->context, e);
-    if (status != STATUS_OK)
-        return status;
-    status = gl_draw(r, camera, frame, e);
+        status = gl_draw(r, camera, frame, e);
     r->row->unbind(r->context);
     if (status == STATUS_OK)
         resolve(r, image);
+    return status;
+}
+
+static enum status canvas_share(void *canvas, const struct slots *slots, struct error *e)
+{
+    struct canvas *r = canvas;
+    if (r->row->bind(r->context, e))
+        return e->status;
+    enum status status = sprites_device_open(&r->device, &r->sprites, &r->gl, slots, e);
+    r->row->unbind(r->context);
     return status;
 }
 
@@ -293,6 +306,7 @@ const struct canvas_row canvas_egl = {
                 .missing = EGL_MISSING},
     .context = &context_egl,
     .open = canvas_open,
+    .share = canvas_share,
     .draw = canvas_draw,
     .name = canvas_name,
     .software = canvas_software,
@@ -304,6 +318,7 @@ const struct canvas_row canvas_osmesa = {
                 .missing = OSMESA_MISSING},
     .context = &context_osmesa,
     .open = canvas_open,
+    .share = canvas_share,
     .draw = canvas_draw,
     .name = canvas_name,
     .software = canvas_software,

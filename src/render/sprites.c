@@ -184,8 +184,9 @@ void sprites_draw(const struct sprites *s, const struct gl *gl, size_t count,
     gl->DepthMask(1);
     for (size_t first = 0; first < count; first += s->chunk) {
         size_t n = count - first < s->chunk ? count - first : s->chunk;
-        gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)(n * sizeof *s->packed), s->packed + first,
-                       GL_STREAM_DRAW);
+        if (!s->is_filled)
+            gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)(n * sizeof *s->packed), s->packed + first,
+                           GL_STREAM_DRAW);
         gl->TexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32UI, s->buffer);
         gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)(3 * n));
     }

@@ -15,6 +15,7 @@ struct sprites {
     size_t chunk;                           /* particles per draw call */
     uint32_t (*packed)[4];                  /* x y z as float bits, then t as float bits or RGBA8 */
     size_t capacity;                        /* of packed */
+    bool is_filled;                         /* the buffer has the particles: they are not packed */
 };
 
 /* Builds programs and buffers in the current context; STATUS_BACKEND. Call sprites_close also

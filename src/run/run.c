@@ -171,6 +171,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
         .scene = scene,
         .renderer = options->renderer ? options->renderer : "auto",
         .device = plan->device,
+        .on_device = plan->backend->device,
         .threads = options->threads,
         .raw = film_wants_raw(options->outputs, options->output_count),
         .vectors = film_wants_vectors(options->outputs, options->output_count),

@@ -203,7 +203,8 @@ static void particles_follow(struct canvas *c, const struct render_frame *frame,
     c->row->follow(c->device, frame->slot->filled);
     w->position = frame->slot->to.position;
     w->word = frame->slot->to.word;
-    w->map = c->setup.solid ? NULL : c->map.device;
+    w->values = !c->setup.solid;
+    w->map = c->map.device;
     w->scale = frame->scale ? *frame->scale : c->setup.scale;
 }
 

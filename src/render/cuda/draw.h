@@ -45,7 +45,7 @@ static inline float draw_map_place(const struct draw_work *w, size_t i)
 static inline void draw_pack(const struct draw_work *w, size_t i)
 {
     uint32_t word = w->word[i];
-    if (w->map) {
+    if (w->values) {
         const float place = draw_map_place(w, i);
         memcpy(&word, &place, sizeof word);
     }
@@ -65,7 +65,7 @@ static inline void draw_place(const struct draw_work *w, size_t i)
     place_extent(&w->from, 0, b.x, b.z, &left, &right);
     place_extent(&w->from, 1, b.y, b.z, &top, &bottom);
     seen = place_seen(&w->from, b.x, b.y, b.z, left, right, top, bottom);
-    const uint32_t rgb = w->map ? scale_color(w->map, draw_map_place(w, i)) : w->word[i];
+    const uint32_t rgb = w->values ? scale_color(w->map, draw_map_place(w, i)) : w->word[i];
     memcpy(b.rgb, &rgb, sizeof b.rgb);
     b.left = (uint16_t)(int)(seen * left);
     b.right = (uint16_t)(int)(seen * right);

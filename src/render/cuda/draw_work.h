@@ -11,8 +11,9 @@ struct draw_work {
     struct viewpoint from;
     const float *position;    /* of each particle, m */
     const uint32_t *word;     /* of each: its colour, red in the lowest byte, or bits of its value (float) */
-    const uint32_t *map;      /* of values: the palette; NULL: words are colours */
+    bool values;              /* words are values, of this scale, */
     struct color_scale scale;
+    const uint32_t *map;      /* and of these colours */
     uint32_t (*packed)[4];    /* bits of x, y, z, and of the place in the map, or the colour */
     struct ball *balls;
     uint64_t *seen;           /* of each sample: bits of the depth of what is nearest, then its number */
