@@ -2,6 +2,7 @@
  * bits as the cpu's, work is counted alike, and memory that is short or a device that is lost is an error. */
 #include "backend/cuda/cuda.h"
 #include "base/memory.h"
+#include "late_device.h"
 #include "run/budget.h"
 #include "run/simulation.h"
 #include "run/step.h"
@@ -137,6 +138,30 @@ static void same_bits(void **state)
                      "and %g pairs", c->name, cpu.steps, device.steps, cpu.rejected, device.rejected,
                      cpu.pairs, device.pairs);
     }
+}
+
+/* A device that puts everything off ends in the same bits. */
+static struct device_row late;
+
+static enum status open_late(struct backend **out, const struct backend_setup *setup,
+                             struct particles *particles, struct particles *walls, struct error *e)
+{
+    return cuda_open_on(&late, kernels_host, out, setup, particles, walls, e);
+}
+
+static void late_same_bits(void **state)
+{
+    struct backend_row row = backend_cuda_host;
+    (void)state;
+    late = late_device();
+    late_deepest = 0;
+    row.open = open_late;
+    for (size_t k = 0; k < CASES; k += k == 0 ? 4 : 3) {
+        struct outcome host = run(&cases[k], &backend_cuda_host), outcome = run(&cases[k], &row);
+        if (memcmp(&host, &outcome, sizeof host) != 0)
+            fail_msg("%s: a device that works late ends otherwise", cases[k].name);
+    }
+    assert_true(late_deepest > 10);
 }
 
 /* A device like the host, but for what fails. */
@@ -283,6 +308,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_bits),
+        cmocka_unit_test(late_same_bits),
         cmocka_unit_test(memory_is_predicted),
         cmocka_unit_test(memory_is_planned),
         cmocka_unit_test(short_memory_leaks_nothing),

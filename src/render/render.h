@@ -13,6 +13,8 @@
 
 #include <stddef.h>
 
+struct canvas_row; /* render/canvas.h */
+
 extern const struct variant_table render_table;    /* "renderers": egl, cuda, cpu, osmesa */
 extern const struct variant_table render_maps;     /* "maps": viridis, ... */
 extern const struct variant_table render_overlays; /* "overlays": text; missing without cairo */
@@ -21,6 +23,7 @@ extern const struct variant_table render_overlays; /* "overlays": text; missing 
 struct render_setup {
     const struct scene *scene;   /* camera, movie.size, render.*, domain, title, labels */
     const char *renderer;        /* row of render_table, or "auto" */
+    const struct canvas_row *canvas; /* instead of a row of the table; NULL: the table's */
     int threads;                 /* of the cpu renderer; 0: all processors */
     const char *isa;             /* of the cpu renderer: a row of "isas"; NULL, "auto": the best */
     int device;                  /* number of the CUDA device: of the cuda renderer, and see on_device */

@@ -52,9 +52,11 @@ static enum status any_open(struct renderer *r, struct error *e)
 static enum status canvas_choose(struct renderer *r, struct error *e)
 {
     const char *name = r->setup.renderer;
-    if (!name || strcmp(name, "auto") == 0)
+    r->row = r->setup.canvas;
+    if (!r->row && (!name || strcmp(name, "auto") == 0))
         return any_open(r, e);
-    r->row = (const struct canvas_row *)variant_find(&render_table, name);
+    if (!r->row)
+        r->row = (const struct canvas_row *)variant_find(&render_table, name);
     if (!r->row)
         return error_set(e, STATUS_BACKEND, "there is no renderer \"%s\"", name);
     if (r->row->variant.missing)

@@ -19,6 +19,32 @@ size_t frame_count(const struct plan *plan)
     return plan->bodies.count + (draws_walls(plan) ? plan->walls.count : 0);
 }
 
+struct render_setup frame_setup(const struct plan *plan, const struct run_options *options)
+{
+    const struct scene *scene = plan->scene;
+    struct render_setup setup = {
+        .scene = scene,
+        .renderer = options->renderer ? options->renderer : "auto",
+        .device = plan->device,
+        .on_device = plan->backend && plan->backend->device,
+        .threads = options->threads,
+        .raw = film_wants_raw(options->outputs, options->output_count),
+        .vectors = film_wants_vectors(options->outputs, options->output_count),
+        .isa = options->isa,
+        .radius = scene->render.radius * scene->particles.spacing,
+    };
+    if (!plan->draws)
+        return setup;
+    setup.scale = plan->scale;
+    memcpy(setup.palette, plan->palette, sizeof setup.palette);
+    setup.label = plan->color->label;
+    setup.unit = plan->color->unit;
+    setup.name = plan->color->name;
+    setup.solid = plan->color->solid;
+    setup.symmetric = plan->symmetric;
+    return setup;
+}
+
 /* How pictures are made on a device without the host. */
 static const struct kernel *draw_kernels(const struct device_row *row)
 {

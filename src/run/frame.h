@@ -8,6 +8,9 @@
 /* Particles a snapshot of this plan holds. */
 size_t frame_count(const struct plan *plan);
 
+/* How this plan's frames are drawn; its back end is chosen. */
+struct render_setup frame_setup(const struct plan *plan, const struct run_options *options);
+
 /* Where those frames are that the plan's back end `row` makes, for the renderer. */
 struct render_source frame_source(const struct plan *plan, const struct backend_row *row);
 

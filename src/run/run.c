@@ -162,44 +162,31 @@ static enum status run_times(struct session *x, struct error *e)
     return advance(x, x->end, e);
 }
 
+/* How values spread, where the scene does not say. */
+static void say_range(const struct plan *plan, const struct render_setup *render)
+{
+    const struct scene *scene = plan->scene;
+    if (plan->draws && isnan(scene->color.range[0]) && isnan(scene->color.percentiles[0]) && !render->solid &&
+        !render->scale.counts)
+        log_info("colour range %.4g to %.4g %s: %s", render->scale.range[0], render->scale.range[1],
+                 render->unit, plan->color->estimate);
+}
+
 static enum status film_start(struct session *x, const struct run_options *options,
                               struct error *e)
 {
     const struct plan *plan = &x->plan;
     const struct scene *scene = plan->scene;
-    struct render_setup render = {
-        .scene = scene,
-        .renderer = options->renderer ? options->renderer : "auto",
-        .device = plan->device,
-        .on_device = plan->backend->device,
-        .threads = options->threads,
-        .raw = film_wants_raw(options->outputs, options->output_count),
-        .vectors = film_wants_vectors(options->outputs, options->output_count),
-        .isa = options->isa,
-        .radius = scene->render.radius * scene->particles.spacing,
-    };
-    if (plan->draws) {
-        render.scale = plan->scale;
-        memcpy(render.palette, plan->palette, sizeof render.palette);
-        render.label = plan->color->label;
-        render.unit = plan->color->unit;
-        render.name = plan->color->name;
-        render.solid = plan->color->solid;
-        render.symmetric = plan->symmetric;
-        if (isnan(scene->color.range[0]) && isnan(scene->color.percentiles[0]) && !render.solid &&
-            !render.scale.counts)
-            log_info("colour range %.4g to %.4g %s: %s", render.scale.range[0],
-                     render.scale.range[1], render.unit, plan->color->estimate);
-    }
-    static struct render_setup kept; /* the film keeps a pointer to it */
-    kept = render;
+    static struct render_setup render; /* the film keeps a pointer to it */
+    render = frame_setup(plan, options);
+    say_range(plan, &render);
     char crf[VIDEO_NUMBER], comment[100];
     snprintf(comment, sizeof comment, "sph-render %s, scene %016" PRIx64, SPH_VERSION,
              scene_hash(scene, &run_vocabulary));
     struct film_setup setup = {.scene = scene,
                                .comment = comment,
                                .video = video_of_scene(scene, crf),
-                               .render = plan->draws ? &kept : NULL,
+                               .render = plan->draws ? &render : NULL,
                                .outputs = options->outputs,
                                .output_count = options->output_count,
                                .columns = plan->measures.columns,
