@@ -39,6 +39,15 @@ enum status renderer_open(struct renderer **made, const struct render_setup *set
     return STATUS_OK;
 }
 
+enum status renderer_slots(struct renderer *renderer, const struct render_source *source,
+                           struct render_slot **slots, struct error *e)
+{
+    (void)renderer;
+    (void)source;
+    *slots = NULL;
+    return error_set(e, STATUS_BACKEND, "there is no device");
+}
+
 const char *renderer_name(const struct renderer *renderer)
 {
     (void)renderer;
