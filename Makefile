@@ -149,7 +149,7 @@ bench: all
 	$(PROGRAM) bench scenes/bench/*.json scenes/seeds/*.json
 
 # On a machine with a GPU; results are in out/gpu.
-test-gpu: all
+test-gpu: all $(BUILD)/tests/t442_device
 	@mkdir -p out/gpu
 	@BUILD=$(BUILD) sh tests/gpu-states.sh | tee out/gpu/test.txt
 	@awk '/^ok /{p++} /^not ok /{f++} /^1\.\./{whole=1} END{if (!whole || !p) f++; \

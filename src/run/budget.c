@@ -11,7 +11,8 @@
 #define WORK_BYTES 52              /* a particle: sort 24, coordinates 12, rows 8, cells up to 8 */
 #define CURL_BYTES 80              /* a particle in the copy: two of position and motion, id, rows */
 #define START_BYTES (sizeof(double[3]) + sizeof(int))
-#define SNAPSHOT_BYTES 20          /* a particle in a frame that waits: position, value, colour */
+#define SNAPSHOT_BYTES 16          /* a particle in a frame that waits: position, value or colour */
+#define DRAWN_BYTES 24             /* a particle that a device draws: its sphere, or sprite */
 
 /* Bytes that each particle, or wall particle, takes at the least. */
 static double fluid_bytes(const struct plan *plan)
@@ -29,12 +30,13 @@ static double wall_bytes(void)
     return START_BYTES + WORK_BYTES + sizeof(struct position) + sizeof(uint32_t);
 }
 
-/* Bytes that each particle takes of a device: what the host would need for passes. */
+/* Bytes that each particle takes of a device: what the host would need for passes and frames. */
 static double device_bytes(const struct plan *plan)
 {
     const struct solver_choice *c = &plan->choice;
     return (double)plan->bytes_per_particle + WORK_BYTES +
-           solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
+           solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing) +
+           (plan->draws ? FILM_SNAPSHOTS * SNAPSHOT_BYTES + DRAWN_BYTES : 0);
 }
 
 /* The same for a device that was asked for; `fluid` and `wall` are numbers of particles. */
