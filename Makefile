@@ -115,6 +115,18 @@ $(BUILD)/tests/%: tests/%.c $(LIBRARY)
 	@mkdir -p $(@D)
 	$(call quiet,CC   $<) $(CC) $(CFLAGS_) -Itests -MMD -MP -o $@ $< $(LIBRARY) $(LIBS) -lcmocka $(LDFLAGS)
 
+# The .cu files on a model of a GPU, for tests without one; its objects come before the library's.
+MODEL_CU   := $(sort $(shell find src -name '*.cu')) tests/gpu_model/model.cpp
+MODEL_O    := $(patsubst %,$(BUILD)/model/%.o,$(MODEL_CU))
+MODEL_TESTS := $(BUILD)/tests/t444_gpu_model $(BUILD)/tests/t445_model_frames
+$(BUILD)/model/%.o: % $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call quiet,CXX  $<) g++ -std=c++20 -O1 -g -ffp-contract=off -Itests/gpu_model -Isrc -DHAVE_EGL=$(EGL) -x c++ \
+	    -include cuda_runtime.h -MMD -MP -c -o $@ $<
+$(MODEL_TESTS): $(BUILD)/tests/%: tests/%.c $(MODEL_O) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(call quiet,CC   $<) $(CC) $(CFLAGS_) -Itests -MMD -MP -o $@ $< $(MODEL_O) $(LIBRARY) $(LIBS) -lcmocka -lstdc++ $(LDFLAGS)
+
 # Detection happens when the Makefile is read, so a make of its own follows the installation.
 parallel  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
 movie:

@@ -12,6 +12,7 @@
 extern "C" {
 #include "device/device.h"
 }
+#include "device/launch.h"
 
 struct device {
     int index;
@@ -465,7 +466,7 @@ static int peak_blocks(void)
 
 static void run_multiply_adds(struct device *d, void *out)
 {
-    multiply_adds<<<peak_blocks(), PEAK_THREADS, 0, stream_of(d)>>>((float *)out, 0.999f, 1e-3f);
+    launch(multiply_adds, (unsigned)peak_blocks(), PEAK_THREADS, stream_of(d), (float *)out, 0.999f, 1e-3f);
 }
 
 static double cuda_peak(struct device *d)

@@ -2,6 +2,7 @@
 #include <cooperative_groups.h>
 #include <cooperative_groups/reduce.h>
 
+#include "device/launch.h"
 #include "device/subset.h"
 extern "C" {
 #include "backend/cuda/lanes_cuda.h"
@@ -128,7 +129,7 @@ static __device__ double sum_in_order(double term)
 #define LAUNCH(name, blocks, per_block, type)                                                      \
     static void run_##name(size_t threads, const void *args, void *stream)                         \
     {                                                                                              \
-        kernel_##name<<<blocks, per_block, 0, (cudaStream_t)stream>>>(*(const type *)args);        \
+        launch(kernel_##name, blocks, per_block, stream, *(const type *)args);                     \
     }
 #define KERNEL(name, per_block)                                                                    \
     __global__ void __launch_bounds__(per_block)                                                   \
@@ -229,8 +230,8 @@ static __device__ double sum_in_order(double term)
     }                                                                                              \
     static void run_##name(size_t threads, const void *args, void *stream)                         \
     {                                                                                              \
-        kernel_##name<<<blocks_for(threads, THREADS), THREADS, 0, (cudaStream_t)stream>>>(         \
-            *(const type *)args, threads);                                                         \
+        launch(kernel_##name, blocks_for(threads, THREADS), THREADS, stream, *(const type *)args,  \
+               threads);                                                                           \
     }
 #define ORDER(name) PLAIN(order_##name, struct order_work)
 #include "backend/cuda/order_list.h"

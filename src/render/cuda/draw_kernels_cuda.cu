@@ -1,4 +1,5 @@
 /* The cuda renderer's kernels on a GPU. */
+#include "device/launch.h"
 #include "device/subset.h"
 extern "C" {
 /* Only what is nearer than what a thread finds there: others may have put something nearer since. */
@@ -36,8 +37,7 @@ enum { THREADS = 256 };
     static void run_##name(size_t threads, const void *args, void *stream)                         \
     {                                                                                              \
         const unsigned blocks = (unsigned)((threads + THREADS - 1) / THREADS);                     \
-        kernel_##name<<<blocks, THREADS, 0, (cudaStream_t)stream>>>(                               \
-            *(const struct draw_work *)args, threads);                                             \
+        launch(kernel_##name, blocks, THREADS, stream, *(const struct draw_work *)args, threads);  \
     }
 #include "render/cuda/draw_list.h"
 #undef DRAW
