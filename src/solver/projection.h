@@ -201,7 +201,7 @@ static inline float projection_depth(const struct explicit_constants *c, float l
     float step = c->planes.volume[low] - c->planes.volume[high];
     float part = step > 0 ? (c->planes.volume[low] - lack) / step : 0;
     part = part < 0 ? 0 : part > 1 ? 1 : part;
-    return ((float)low + part) * (2.0f / PLANE_STEPS);
+    return ((float)low + part) * (2.0f / (float)PLANE_STEPS);
 }
 
 /* After `loose` is known of the particle and its neighbours (1 of any): what depends on the surface.

@@ -130,30 +130,39 @@ static std::vector<unsigned> order_of(unsigned count)
     return order;
 }
 
-static bool fibers_run(const std::vector<unsigned> &order)
+/* Runs the threads first .. end - 1 of a warp until each has ended or waits for the block. */
+static bool warp_run(size_t first, size_t end)
 {
-    bool any = false;
-    for (unsigned k : order)
-        if (fibers[k].state == READY) {
-            any = true;
-            threadIdx = dim3(k, 0, 0);
-            fiber_enter(&fibers[k]);
-        }
+    const std::vector<unsigned> order = order_of((unsigned)(end - first));
+    bool any = false, going = true;
+    while (going) {
+        going = false;
+        for (unsigned k : order)
+            if (fibers[first + k].state == READY) {
+                going = any = true;
+                threadIdx = dim3((unsigned)first + k, 0, 0);
+                fiber_enter(&fibers[first + k]);
+            }
+        going = release(first, end, AT_WARP) || going;
+    }
     return any;
 }
 
+/* One warp after the other, each as far as it gets: nothing but what the code asks for keeps them together. */
 static void block_run(unsigned threads)
 {
-    const std::vector<unsigned> order = order_of(threads);
+    const std::vector<unsigned> order = order_of((threads + LANES - 1) / LANES);
     bool going = true;
     for (size_t k = 0; k < threads; k++) {
         fibers[k].state = READY;
         fibers[k].meetings = 0;
     }
     while (going) {
-        going = fibers_run(order);
-        for (size_t k = 0; k < threads; k += LANES)
-            going = release(k, k + LANES < threads ? k + LANES : threads, AT_WARP) || going;
+        going = false;
+        for (unsigned warp : order) {
+            const size_t first = (size_t)warp * LANES;
+            going = warp_run(first, first + LANES < threads ? first + LANES : threads) || going;
+        }
         going = release(0, threads, AT_BLOCK) || going;
     }
     for (size_t k = 0; k < threads; k++)
