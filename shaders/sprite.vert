@@ -24,6 +24,11 @@ void main()
     else // centres of the first and last texel are the ends of the range
         color = textureLod(map, (uintBitsToFloat(particle.w) * 255.0 + 0.5) / 256.0, 0.0).rgb;
 
+    if ((particle.x & 0x7fffffffu) > 0x7f800000u) { // not a number: hidden. GLSL need not know NaN
+        offset = vec3(0.0);
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+        return;
+    }
     vec2 corner = corners[gl_VertexID % 3] * radius * 1.002;
     if (parallel != 0 && center.z < 0.0) {
         offset = vec3(corner, 0.0);

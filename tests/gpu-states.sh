@@ -28,7 +28,7 @@ same() {
 clean() {
     tool=$1
     shift
-    compute-sanitizer --tool "$tool" --error-exitcode 9 "$SPH" -q "$@" --backend "$DEVICE" -o null \
+    compute-sanitizer --tool "$tool" --error-exitcode 9 "$SPH" -q "$@" --backend "$DEVICE" --size 160x90 -o hash \
         >"$work/err" 2>&1
     result $? "compute-sanitizer $tool: $1"
 }
@@ -54,10 +54,11 @@ same "isph, enclosed" tests/scenes/projection-vortices.json
 same "drop in another fluid" tests/scenes/drop-in-fluid.json --end 0.02 --fps 500
 if command -v compute-sanitizer >"$work/out"; then
     for tool in memcheck racecheck initcheck synccheck; do
-        clean $tool scenes/dambreak.json --set particles.spacing=0.08 --end 0.02
-        clean $tool tests/scenes/wall-particles.json --end 0.01
-        clean $tool tests/scenes/honey.json --end 0.01
-        clean $tool tests/scenes/projection-two-fluids.json --end 0.01
+        clean $tool scenes/dambreak.json --set particles.spacing=0.08 --end 0.02 --renderer cuda
+        clean $tool scenes/dambreak.json --set particles.spacing=0.08 --end 0.02 --renderer cpu
+        clean $tool tests/scenes/wall-particles.json --end 0.01 --renderer cuda
+        clean $tool tests/scenes/honey.json --end 0.01 --renderer cuda
+        clean $tool tests/scenes/projection-two-fluids.json --end 0.01 --renderer cuda
     done
 else
     echo "# compute-sanitizer is not here: memory and races are not checked"
@@ -74,16 +75,26 @@ frames() {
     grep -o 'frames are .*' "$work/err" >"$work/how"
     [ "$(wc -l <"$work/frames-cpu")" -ge 2 ] && cmp "$work/frames-cpu" "$work/frames-$DEVICE"
 }
-for color in velocity vorticity start.x density-error; do
-    frames cpu --color $color
-    result $? "frames by $color, cpu renderer: $(cat "$work/how")"
-    frames cuda --color $color && grep -q "drawn where" "$work/how"
-    result $? "frames by $color, cuda renderer: $(cat "$work/how")"
-    if "$SPH" list devices | grep -q "OpenGL by EGL device"; then
-        frames egl --color $color
-        result $? "frames by $color, egl renderer: $(cat "$work/how")"
-    fi
-done
+# looks NAME ARGUMENTS...: by every renderer; where OpenGL is the GPU's, without a copy as well
+looks() {
+    name=$1
+    shift
+    frames cpu "$@"
+    result $? "$name, cpu renderer: $(cat "$work/how")"
+    frames cuda "$@" && grep -q "drawn where" "$work/how"
+    result $? "$name, cuda renderer: $(cat "$work/how")"
+    "$SPH" list devices | grep -q "OpenGL by EGL device" || return 0
+    frames egl "$@" && grep -q "drawn where" "$work/how"
+    result $? "$name, egl renderer: $(cat "$work/how")"
+}
+looks "speed" --color velocity
+looks "vorticity" --color vorticity
+looks "where they began" --color start.x --set color.range=auto
+looks "density's error" --color density-error --set color.range=auto
+looks "pressure, a log scale in steps" --color pressure --set color.scale=log --set color.steps=5 \
+    --set 'color.range=[1, 3000]'
+looks "walls, in the fluid's colour" --color solid --set render.boundary=true --set domain.walls.-y=particles
+looks "cut, and some values" --set 'render.clip_max=[1.2, 1, 0.4]' --set 'render.show_range=[0.02, 9]'
 "$SPH" -q scenes/dambreak.json --at 0.3 --backend "$DEVICE" --renderer cuda -o "$work/cuda.pfm" &&
     "$SPH" -q scenes/dambreak.json --at 0.3 --backend cpu --renderer cpu -o "$work/cpu.pfm" &&
     cmp "$work/cuda.pfm" "$work/cpu.pfm"

@@ -391,6 +391,40 @@ static void lost_devices_are_errors(void **state)
     assert_in_range(attempts(&reads_left, "cuda", &on_device), FRAMES, 300);
 }
 
+static enum status read_of_lost(struct device *d, void *host, const void *from, size_t bytes, struct error *e)
+{
+    if (reads_left == 0)
+        return error_set(e, STATUS_RUN, "the device is lost");
+    reads_left -= bytes == WIDTH * HEIGHT * 4;
+    return device_host.read(d, host, from, bytes, e);
+}
+
+/* The frames that were drawn before are kept, whoever notices first, and the error is the device's. */
+static void drawn_frames_are_kept(void **state)
+{
+    const size_t before = memory_now();
+    (void)state;
+    for (int drawn = 1; drawn < FRAMES; drawn++) {
+        struct device_row row = device_host;
+        struct take t;
+        struct error e = {0};
+        row.read = read_of_lost;
+        const struct backend_row backend = there(row);
+        reads_left = drawn;
+        take_plan(&t, &shots[0], &backend);
+        t.render.canvas = &on_device;
+        enum status status = take_open(&t, "film-%d.png");
+        status = status ? status : take_frames(&t);
+        film_close(t.film, true, NULL, &e);
+        simulation_close(&t.simulation);
+        take_free(&t);
+        assert_true(strstr(status ? t.error.text : e.text, "the device is lost"));
+        assert_int_equal(directory_count(), drawn);
+        assert_int_equal(directory_remove(NULL) || directory_make(NULL), 0);
+        assert_int_equal(memory_now(), before);
+    }
+}
+
 /* A film that is given up while frames wait. */
 static void dropped(void **state)
 {
@@ -422,6 +456,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(short_memory_of_kernels_leaks_nothing, directory_make, directory_remove),
         cmocka_unit_test_setup_teardown(lost_buffers_are_errors, directory_make, directory_remove),
         cmocka_unit_test_setup_teardown(lost_devices_are_errors, directory_make, directory_remove),
+        cmocka_unit_test_setup_teardown(drawn_frames_are_kept, directory_make, directory_remove),
         cmocka_unit_test_setup_teardown(dropped, directory_make, directory_remove),
 #endif
     };

@@ -353,7 +353,17 @@ static void cuda_follow(struct device *d, struct device_event *event)
 
 #if HAVE_EGL
 
-/* CUDA refuses a context of another GPU, and one that is not current in this thread. */
+/* Some drivers register what they cannot map. */
+static cudaError_t try_map(struct device *d, cudaGraphicsResource_t *resource)
+{
+    cudaError_t result = cudaGraphicsMapResources(1, resource, stream_of(d));
+    if (result == cudaSuccess)
+        result = cudaGraphicsUnmapResources(1, resource, stream_of(d));
+    if (result != cudaSuccess)
+        cudaGraphicsUnregisterResource(*resource);
+    return result;
+}
+
 static struct device_buffer *cuda_attach(struct device *d, const struct device_gl *gl, struct error *e)
 {
     struct device_buffer *buffer = (struct device_buffer *)calloc(1, sizeof *buffer);
@@ -365,6 +375,8 @@ static struct device_buffer *cuda_attach(struct device *d, const struct device_g
     stream_of(d);
     cudaError_t result = cudaGraphicsGLRegisterBuffer(&buffer->resource, gl->name,
                                                       cudaGraphicsRegisterFlagsWriteDiscard);
+    if (result == cudaSuccess)
+        result = try_map(d, &buffer->resource);
     if (result == cudaSuccess)
         return buffer;
     cudaGetLastError();

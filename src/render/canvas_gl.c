@@ -282,6 +282,9 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
 static enum status canvas_share(void *canvas, const struct slots *slots, struct error *e)
 {
     struct canvas *r = canvas;
+    const int gpu = r->row->cuda(r->context);
+    if (gpu >= 0 && gpu != slots->source.device)
+        return error_set(e, STATUS_BACKEND, "OpenGL is on another GPU, cuda:%d", gpu);
     if (r->row->bind(r->context, e))
         return e->status;
     enum status status = sprites_device_open(&r->device, &r->sprites, &r->gl, slots, e);

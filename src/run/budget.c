@@ -46,7 +46,9 @@ static enum status device_check(const struct plan *plan, double fluid, double wa
     if (!plan->backend || !plan->backend->memory)
         return STATUS_OK;
     double have = plan->backend->memory(plan->device, name, e);
-    double bytes = fluid * device_bytes(plan) + wall * wall_bytes(), d = plan->scene->particles.spacing;
+    double drawn = plan->draws && plan->scene->render.boundary ? FILM_SNAPSHOTS * SNAPSHOT_BYTES + DRAWN_BYTES : 0;
+    double bytes = fluid * device_bytes(plan) + wall * (wall_bytes() + drawn);
+    double d = plan->scene->particles.spacing;
     if (e->status || bytes <= have)
         return e->status;
     return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles, which take "

@@ -40,6 +40,8 @@ struct film {
     pthread_t drawer, encoder;
     bool drawing, encoding;   /* threads to join */
     atomic_bool dropped;      /* an error, or a film that is not kept: empty the queues idly */
+    atomic_bool lost;         /* the device that had the frames is: those that were drawn are whole */
+    long encoded;             /* frames */
 
     pthread_mutex_t mutex;    /* guards the next three */
     pthread_cond_t opened;
@@ -57,6 +59,16 @@ static void film_fail(struct film *film, const struct error *e)
         film->error = *e;
     pthread_mutex_unlock(&film->mutex);
     atomic_store(&film->dropped, true);
+}
+
+/* A frame on a device could not be drawn: no more come, but what has been drawn is kept. */
+static void film_lose(struct film *film, const struct error *e)
+{
+    pthread_mutex_lock(&film->mutex);
+    if (!film->error.status)
+        film->error = *e;
+    pthread_mutex_unlock(&film->mutex);
+    atomic_store(&film->lost, true);
 }
 
 static enum status film_error(struct film *film, struct error *e)
@@ -100,6 +112,7 @@ static void *encode_thread(void *argument)
         else if (!atomic_load(&film->dropped) && encode_frame(film, &frame, &e))
             film_fail(film, &e);
         film->times.encode += clock_seconds() - start;
+        film->encoded++;
         queue_push(&film->pictures_idle, picture);
     }
     if (film->sheet && frame.image && !atomic_load(&film->dropped)) {
@@ -140,10 +153,12 @@ static void draw_all(struct film *film, struct renderer *renderer)
     struct film_snapshot *snapshot;
     struct error e;
     while ((snapshot = queue_pop(&film->snapshots_ready))) {
-        if (!atomic_load(&film->dropped)) {
+        if (!atomic_load(&film->dropped) && !atomic_load(&film->lost)) {
             struct picture *picture = queue_pop(&film->pictures_idle);
             bool drawn = draw_snapshot(film, renderer, snapshot, picture, &e) == STATUS_OK;
-            if (!drawn)
+            if (!drawn && snapshot->slot)
+                film_lose(film, &e);
+            else if (!drawn)
                 film_fail(film, &e);
             queue_push(drawn ? &film->pictures_ready : &film->pictures_idle, picture);
         }
@@ -347,6 +362,7 @@ enum status film_open(struct film **opened, const struct film_setup *setup, stru
     film->pixels = film_wants_pixels(setup->outputs, setup->output_count);
     film->solid = film->pixels && setup->render->solid;
     atomic_init(&film->dropped, false);
+    atomic_init(&film->lost, false);
     pthread_mutex_init(&film->mutex, NULL);
     pthread_cond_init(&film->opened, NULL);
     queue_init(&film->snapshots_idle);
@@ -493,11 +509,12 @@ enum status film_close(struct film *film, bool keep, struct film_times *times, s
     join_threads(film);
     double start = clock_seconds();
     enum status status = film_error(film, &closing);
+    bool whole = keep && (!status || (film->lost && !film->dropped && film->encoded > 0));
     if (keep && status)
         *e = closing;
     for (size_t i = 0; i < film->output_count; i++) {
         struct output *output = &film->outputs[i];
-        if (output->row->close(output->encoder, keep && !status, &closing) && !status) {
+        if (output->row->close(output->encoder, whole, &closing) && !status) {
             *e = closing;
             status = closing.status;
         }

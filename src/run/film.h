@@ -18,7 +18,7 @@
 
 enum {
     FILM_SNAPSHOTS = RENDER_SLOTS, /* one filled, one waiting, one drawn */
-    FILM_IMAGES = 3     /* one drawn, one waiting, one encoded */
+    FILM_IMAGES = 3                /* one drawn, one waiting, one encoded */
 };
 
 struct encode_reference;
@@ -97,8 +97,8 @@ enum status film_frame(struct film *film, struct film_snapshot *snapshot, struct
 enum status film_row(struct film *film, const double *numbers, struct error *e);
 
 /* keep: draws what is queued, completes every output; else drops the queue and leaves no trace. A
- * film that failed is never kept: returns its first error when keep is set. Always frees `film`
- * (NULL is allowed); `times` may be NULL. */
+ * film that failed is never kept, but for frames that were drawn before a device was lost: returns its first
+ * error when keep is set. Always frees `film` (NULL is allowed); `times` may be NULL. */
 enum status film_close(struct film *film, bool keep, struct film_times *times, struct error *e);
 
 #endif

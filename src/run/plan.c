@@ -123,7 +123,6 @@ static void plan_fields(struct plan *plan)
     else
         plan_omit(plan, "field viscosity: all fluids have the same");
     plan->fields = fields;
-    plan->seen = PARTICLES_HASHED | FIELD_BIT(FIELD_FLUID) | (plan->color ? plan->color->reads : 0);
     for (int f = 0; f < FIELD_COUNT; f++)
         if (fields & FIELD_BIT(f))
             plan->bytes_per_particle += field_bytes(&field_table[f]);

@@ -29,7 +29,6 @@ struct plan {
     const struct pass_row *passes[STEP_PASSES_MAX]; /* of one step, in order */
     size_t pass_count;
     unsigned fields;               /* allocated */
-    unsigned seen;                 /* that frames read */
     int device;                    /* of the cuda back end */
     size_t bytes_per_particle;     /* of the fields, without neighbour rows */
     const char *omitted[32];       /* "what: why" */

@@ -6,6 +6,7 @@
 #include "base/output.h"
 #include "run/frame.h"
 #include "run/report.h"
+#include "run/step.h"
 #include "run/video.h"
 
 #include <inttypes.h>
@@ -130,7 +131,8 @@ static enum status measure(struct session *x, struct error *e)
     double start = clock_seconds();
     struct simulation *s = &x->simulation;
     const struct plan *plan = &x->plan;
-    const struct particles *p = s->row->state(s->backend, plan->measures.reads | plan->seen, e);
+    const unsigned fields = plan->measures.reads | PARTICLES_HASHED | FIELD_BIT(FIELD_FLUID);
+    const struct particles *p = s->row->state(s->backend, fields, e);
     if (!p)
         return e->status;
     const double *row = measures_take(&x->plan.measures, plan->scene, &plan->space, &plan->choice, p,
@@ -285,7 +287,8 @@ static enum status session_run(struct session *x, const struct run_options *opti
         return e->status;
     }
     say_choices(x);
-    if (run_times(x, e) == STATUS_OK)
+    struct step last = {0};
+    if (run_times(x, e) == STATUS_OK && step_settle(&x->simulation, &last, e) == STATUS_OK)
         e->status = STATUS_OK;
     finish(x, options, start, e);
     simulation_close(&x->simulation);

@@ -137,7 +137,7 @@ void cuda_close(struct backend *b);
 
 #define CUDA_FUNCTIONS                                                                             \
     .run = cuda_run, .begin = cuda_swap, .reject = cuda_swap, .settle = cuda_settle,               \
-    .state = cuda_state, .show = cuda_show, .hash = cuda_hash, .counts = cuda_counts, .describe = cuda_describe,    \
-    .peak = cuda_peak, .bandwidth = cuda_bandwidth, .close = cuda_close
+    .state = cuda_state, .show = cuda_show, .hash = cuda_hash, .counts = cuda_counts,              \
+    .describe = cuda_describe, .peak = cuda_peak, .bandwidth = cuda_bandwidth, .close = cuda_close
 
 #endif

@@ -29,7 +29,9 @@ extern "C" {
 
 static_assert(sizeof(struct work) <= KERNEL_ARGS && sizeof(struct order_work) <= KERNEL_ARGS,
               "arguments of kernels fit");
-static_assert(sizeof(struct shown) <= KERNEL_ARGS, "arguments of kernels fit");
+#define FRAME(name, type) static_assert(sizeof(type) <= KERNEL_ARGS, "arguments of kernels fit");
+#include "backend/cuda/frame_list.h"
+#undef FRAME
 
 enum { THREADS = 256, PAIR_THREADS = 128, GRID_MAX = 2048, WARP = 32 };
 

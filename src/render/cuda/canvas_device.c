@@ -1,5 +1,5 @@
-/* Draws spheres on a device of a launch layer: particles are uploaded slice by slice, kernels queued, and the
- * domain's triangles made meanwhile; the picture is waited for once, at the end. */
+/* Draws spheres on a device of a launch layer: particles are there, or are uploaded slice by slice; kernels are
+ * queued, and the domain's triangles made meanwhile; the picture is waited for once, at the end. */
 #include "render/cuda/canvas_device.h"
 
 #include "render/balls.h"

@@ -33,24 +33,27 @@ static inline void draw_clear(const struct draw_work *w, size_t i)
     w->seen[i] = draw_key(INFINITY, UINT32_MAX);
 }
 
-/* The place of particle i in the map. */
-static inline float draw_map_place(const struct draw_work *w, size_t i)
+/* The place in the map of the value that a word has. */
+static inline float draw_map_place(const struct draw_work *w, uint32_t word)
 {
     float value;
-    memcpy(&value, &w->word[i], sizeof value);
+    memcpy(&value, &word, sizeof value);
     return scale_place(&w->scale, value);
 }
 
 /* Particle i as OpenGL's sprites want it. */
 static inline void draw_pack(const struct draw_work *w, size_t i)
 {
-    uint32_t word = w->word[i];
+    const float p[3] = {w->position[3 * i], w->position[3 * i + 1], w->position[3 * i + 2]};
+    uint32_t packed[4]; /* whole words: of what memcpy moves in memory, nvcc takes each byte by itself */
+    packed[3] = w->word[i];
     if (w->values) {
-        const float place = draw_map_place(w, i);
-        memcpy(&word, &place, sizeof word);
+        const float place = draw_map_place(w, packed[3]);
+        memcpy(&packed[3], &place, sizeof place);
     }
-    memcpy(w->packed[i], w->position + 3 * i, 3 * sizeof word);
-    w->packed[i][3] = word;
+    memcpy(packed, p, sizeof p);
+    for (int k = 0; k < 4; k++)
+        w->packed[i][k] = packed[k];
 }
 
 /* Particle i becomes a sphere in camera axes; without extent where it is out of sight. */
@@ -65,7 +68,7 @@ static inline void draw_place(const struct draw_work *w, size_t i)
     place_extent(&w->from, 0, b.x, b.z, &left, &right);
     place_extent(&w->from, 1, b.y, b.z, &top, &bottom);
     seen = place_seen(&w->from, b.x, b.y, b.z, left, right, top, bottom);
-    const uint32_t rgb = w->values ? scale_color(w->map, draw_map_place(w, i)) : w->word[i];
+    const uint32_t word = w->word[i], rgb = w->values ? scale_color(w->map, draw_map_place(w, word)) : word;
     memcpy(b.rgb, &rgb, sizeof b.rgb);
     b.left = (uint16_t)(int)(seen * left);
     b.right = (uint16_t)(int)(seen * right);

@@ -24,6 +24,8 @@ extern "C" {
 #include "render/cuda/draw_kernels.h"
 }
 
+static_assert(sizeof(struct draw_work) <= KERNEL_ARGS, "arguments of kernels fit");
+
 enum { THREADS = 256 };
 
 #define DRAW(name)                                                                                 \
