@@ -330,7 +330,7 @@ static enum status failing_read(struct device *d, void *host, const void *from, 
     return error_set(e, STATUS_RUN, "the device is lost");
 }
 
-/* A film whose device fails somewhere: an error, no file, nothing that stays allocated; or none and all files. */
+/* A film whose device fails somewhere: an error, not all files, nothing that stays allocated; or none and all. */
 static enum status attempt(const char *renderer, const struct canvas_row *canvas)
 {
     struct device_row row = device_host;
@@ -350,7 +350,7 @@ static enum status attempt(const char *renderer, const struct canvas_row *canvas
         fail_msg("%s", t.error.text);
     take_free(&t);
     assert_int_equal(memory_now(), before);
-    assert_int_equal(directory_count(), status ? 0 : FRAMES);
+    assert_in_range(directory_count(), status ? 0 : FRAMES, status ? FRAMES - 1 : FRAMES);
     assert_int_equal(directory_remove(NULL) || directory_make(NULL), 0);
     return status;
 }
