@@ -3,7 +3,8 @@
 #include <cub/device/device_scan.cuh>
 #include <cuda_runtime.h>
 #if HAVE_EGL
-#include <cuda_gl_interop.h> /* includes GL/gl.h; nothing of OpenGL is linked */
+#include <GL/gl.h> /* which the next wants before it on Arm; nothing of OpenGL is linked */
+#include <cuda_gl_interop.h>
 #endif
 
 #include <stdlib.h>

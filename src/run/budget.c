@@ -22,7 +22,9 @@ static double fluid_bytes(const struct plan *plan)
                    solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
     if (plan->frame_pass) /* a sorted copy with rows of its own (backend/cpu/curl.c) */
         bytes += CURL_BYTES + 4 * kernel_lattice_neighbours(c->support / c->spacing);
-    return bytes + (plan->draws ? FILM_SNAPSHOTS * SNAPSHOT_BYTES : 0);
+    if (plan->draws)
+        bytes += FILM_SNAPSHOTS * SNAPSHOT_BYTES + (plan->color->fixed ? sizeof(float) : 0);
+    return bytes;
 }
 
 static double wall_bytes(void)

@@ -284,7 +284,7 @@ enum status plan_make(struct plan *plan, const struct scene *scene,
     }
     plan_passes(plan);
     omit_terms(plan);
-    if (!plan_color(plan, options, e) && !plan_measures(plan, options, e)) {
+    if (!plan_color(plan, options, e) && !plan_color_values(plan, e) && !plan_measures(plan, options, e)) {
         plan_fields(plan);
         check_reads(plan, e);
     }

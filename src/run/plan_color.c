@@ -81,11 +81,10 @@ static const struct pass_row *frame_pass(const struct color_row *color)
     return color->reads & row->writes ? row : NULL;
 }
 
-/* Values that never change are computed once. */
-static enum status fix_values(struct plan *plan, struct error *e)
+enum status plan_color_values(struct plan *plan, struct error *e)
 {
     const struct fill *start = &plan->bodies;
-    if (!plan->color->fixed)
+    if (!plan->draws || !plan->color->fixed)
         return STATUS_OK;
     plan->fixed = memory_create("colours", start->count, sizeof *plan->fixed, e);
     for (size_t id = 0; plan->fixed && id < start->count; id++)
@@ -105,8 +104,6 @@ enum status plan_color(struct plan *plan, const struct run_options *options, str
         return STATUS_OK;
     make_scale(plan);
     plan->frame_pass = frame_pass(plan->color);
-    if (fix_values(plan, e))
-        return e->status;
     return palette_make(plan->scene, plan->symmetric, plan->palette, e);
 }
 
