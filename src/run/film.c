@@ -223,48 +223,6 @@ static struct encode_target target_of(const struct film_setup *setup, size_t out
     };
 }
 
-static bool has_pixels(const struct encoder_row *row)
-{
-    return row->wants_pixels;
-}
-static bool has_rows(const struct encoder_row *row)
-{
-    return row->wants_rows;
-}
-static bool has_raw(const struct encoder_row *row)
-{
-    return row->wants_raw;
-}
-static bool has_hashes(const struct encoder_row *row)
-{
-    return row->wants_hashes;
-}
-static bool has_vectors(const struct encoder_row *row)
-{
-    return row->wants_vectors;
-}
-
-bool film_wants_pixels(const char *const *outputs, size_t count)
-{
-    return encode_any(outputs, count, has_pixels);
-}
-bool film_wants_rows(const char *const *outputs, size_t count)
-{
-    return encode_any(outputs, count, has_rows);
-}
-bool film_wants_raw(const char *const *outputs, size_t count)
-{
-    return encode_any(outputs, count, has_raw);
-}
-bool film_wants_hashes(const char *const *outputs, size_t count)
-{
-    return encode_any(outputs, count, has_hashes);
-}
-bool film_wants_vectors(const char *const *outputs, size_t count)
-{
-    return encode_any(outputs, count, has_vectors);
-}
-
 static enum status check_outputs(const struct film_setup *setup, struct error *e)
 {
     for (size_t i = 0; i < setup->output_count; i++) {
