@@ -53,7 +53,7 @@ grep -rnwE '_?exit *\(|quick_exit *\(|abort *\(' src --include='*.[ch]' |
     grep -vE '^src/main\.c:|/\*.*exit.*\*/|_exit\(STATUS_INTERRUPTED\)' >"$work/out"
 [ ! -s "$work/out" ]
 result $? "only main exits, and a second interrupt"
-grep -rn 'include.*mpi\.h\|include.*cuda' src --include='*.[ch]' |
+grep -rnE 'include *[<"](mpi\.h|cuda|cub/|cooperative_groups)' src --include='*.[ch]' |
     grep -vE '^src/(backend/(mpi|cuda)|render/cuda|device)/' >"$work/out"
 [ ! -s "$work/out" ]
 result $? "mpi.h and CUDA headers stay in their rooms"
