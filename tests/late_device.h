@@ -211,14 +211,16 @@ static void late_drop(struct device *d, struct device_event *event)
     free(event);
 }
 
-static void late_signal(struct device *d, struct device_event *event)
+static enum status late_signal(struct device *d, struct device_event *event, struct error *e)
 {
     struct late_event *l = (struct late_event *)event;
     pthread_mutex_lock(&late_mutex);
     l->by = (struct late *)d;
     long signal = ++l->asked;
     pthread_mutex_unlock(&late_mutex);
+    (void)e;
     late_queue(d, &(struct late_command){.kind = LATE_SIGNAL, .event = l, .signal = signal});
+    return STATUS_OK;
 }
 
 static void late_follow(struct device *d, struct device_event *event)

@@ -59,11 +59,13 @@ struct relay {
 static void *relay_write(void *context)
 {
     struct relay *r = context;
+    struct error e = {.text = ""};
     for (size_t round = 0; round < ROUNDS; round++) {
         sem_wait(&r->emptied);
         r->row->follow(r->writer, r->empty); /* at first it never was */
         r->row->upload(r->writer, r->block, r->host + round * WORDS, WORDS * sizeof *r->host);
-        r->row->signal(r->writer, r->full);
+        if (r->row->signal(r->writer, r->full, &e))
+            printf("# %s\n", e.text);
         sem_post(&r->filled);
     }
     return NULL;
@@ -78,7 +80,7 @@ static size_t relay_read(struct relay *r)
         sem_wait(&r->filled);
         r->row->follow(r->reader, r->full);
         wrong += r->row->read(r->reader, got, r->block, sizeof got, &e) != STATUS_OK;
-        r->row->signal(r->reader, r->empty);
+        wrong += r->row->signal(r->reader, r->empty, &e) != STATUS_OK;
         sem_post(&r->emptied);
         for (size_t k = 0; k < WORDS; k++)
             wrong += got[k] != word_of(round, k);
@@ -155,10 +157,13 @@ static void events_are_not_recorded(void **state)
             fail_msg("%s", e.text);
         for (int follows = 0; follows < 2; follows++) {
             assert_true(row->record(d));
-            (follows ? row->follow : row->signal)(d, event);
+            if (follows)
+                row->follow(d, event);
+            else
+                row->signal(d, event, &e);
             assert_null(row->recorded(d));
         }
-        row->signal(d, event);
+        assert_int_equal(row->signal(d, event, &e), STATUS_OK);
         assert_true(row->record(d));
         row->clear(d, block, sizeof *block);
         struct device_graph *graph = row->recorded(d);

@@ -169,7 +169,7 @@ static void queues_wait_for_events(void **state)
     for (uint32_t i = 0; i < COUNT; i++)
         host[i] = i;
     device_cuda.upload(one, there, host, COUNT * sizeof *host);
-    device_cuda.signal(one, event);
+    assert_int_equal(device_cuda.signal(one, event, &e), STATUS_OK);
     assert_int_equal(device_cuda.read(other, back, there, COUNT * sizeof *back, &e), STATUS_OK);
     assert_int_not_equal(back[COUNT - 1], COUNT - 1); /* too early */
     device_cuda.follow(other, event);
@@ -184,12 +184,30 @@ static void queues_wait_for_events(void **state)
     assert_int_equal(gpu_model_counts().device_bytes, 0);
 }
 
+/* What was queued and failed is known when an event is signalled, before anybody waits. */
+static void events_tell_failures(void **state)
+{
+    struct error e = {0};
+    struct device *d;
+    uint32_t not_there[4];
+    (void)state;
+    assert_int_equal(device_cuda.open(&d, 0, &e), STATUS_OK);
+    struct device_event *event = device_cuda.event(d, &e);
+    assert_int_equal(device_cuda.signal(d, event, &e), STATUS_OK);
+    device_cuda.clear(d, not_there, sizeof not_there);
+    assert_int_equal(device_cuda.signal(d, event, &e), STATUS_RUN);
+    assert_non_null(strstr(e.text, "the GPU failed in or before"));
+    device_cuda.drop(d, event);
+    device_cuda.close(d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(same_bits_in_any_order),
         cmocka_unit_test(same_pictures),
         cmocka_unit_test(queues_wait_for_events),
+        cmocka_unit_test(events_tell_failures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -94,8 +94,8 @@ struct device_row {
     void (*drop)(struct device *device, struct device_event *event);
     /* Queued: the event happens once all that is queued so far is done; what is queued from now on waits for
      * the event's latest signal, of any device on the same GPU. It never was: there is nothing to wait for.
-     * Neither can be recorded: then `recorded` is NULL. */
-    void (*signal)(struct device *device, struct device_event *event);
+     * Neither can be recorded: then `recorded` is NULL. signal says what has failed by then, and does not wait. */
+    enum status (*signal)(struct device *device, struct device_event *event, struct error *e);
     void (*follow)(struct device *device, struct device_event *event);
     /* Makes a buffer of OpenGL one that kernels can write to, once; STATUS_BACKEND says why it cannot be. From
      * map to unmap it is the device's, and the address may differ each time; else it is OpenGL's. What it had

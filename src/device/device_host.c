@@ -228,10 +228,17 @@ static void host_drop(struct device *d, struct device_event *event)
     memory_free(event);
 }
 
-static void host_signal(struct device *d, struct device_event *event)
+static void host_follow(struct device *d, struct device_event *event)
 {
     (void)event;
     d->refused = d->recording != NULL;
+}
+
+static enum status host_signal(struct device *d, struct device_event *event, struct error *e)
+{
+    (void)e;
+    host_follow(d, event);
+    return STATUS_OK;
 }
 
 static struct device_buffer *host_attach(struct device *d, const struct device_gl *gl, struct error *e)
@@ -305,7 +312,7 @@ const struct device_row device_host = {
     .event = host_event,
     .drop = host_drop,
     .signal = host_signal,
-    .follow = host_signal,
+    .follow = host_follow,
     .attach = host_attach,
     .detach = host_detach,
     .map = host_map,

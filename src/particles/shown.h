@@ -34,8 +34,8 @@ struct shown {
     size_t count;
     const struct position *wall_position;
     const uint32_t *wall_id;
-    size_t wall_count;    /* where they are shown */
-    bool walls;           /* they are */
+    size_t wall_count;    /* 0 unless `walls` */
+    bool walls;           /* particles of walls are shown */
     /* what is shown of it */
     enum shown_value value;
     bool solid;           /* the fluid's colour instead of a value */

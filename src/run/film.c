@@ -17,6 +17,7 @@ struct output {
     const struct encoder_row *row;
     struct encoder *encoder;
     struct output_claim claim; /* of a file */
+    bool fed;                  /* a frame or a row */
 };
 
 /* A drawn frame on its way to the encoders. */
@@ -40,8 +41,7 @@ struct film {
     pthread_t drawer, encoder;
     bool drawing, encoding;   /* threads to join */
     atomic_bool dropped;      /* an error, or a film that is not kept: empty the queues idly */
-    atomic_bool lost;         /* the device that had the frames is: those that were drawn are whole */
-    long encoded;             /* frames */
+    atomic_bool lost;         /* the device that had the frames is: no more come, those drawn are kept */
 
     pthread_mutex_t mutex;    /* guards the next three */
     pthread_cond_t opened;
@@ -52,23 +52,19 @@ struct film {
     struct film_times times;  /* each member is written by one thread, and read after joins */
 };
 
-static void film_fail(struct film *film, const struct error *e)
+/* Keeps the first error, and raises a flag of the film's. */
+static void film_stop(struct film *film, const struct error *e, atomic_bool *flag)
 {
     pthread_mutex_lock(&film->mutex);
     if (!film->error.status)
         film->error = *e;
     pthread_mutex_unlock(&film->mutex);
-    atomic_store(&film->dropped, true);
+    atomic_store(flag, true);
 }
 
-/* A frame on a device could not be drawn: no more come, but what has been drawn is kept. */
-static void film_lose(struct film *film, const struct error *e)
+static void film_fail(struct film *film, const struct error *e)
 {
-    pthread_mutex_lock(&film->mutex);
-    if (!film->error.status)
-        film->error = *e;
-    pthread_mutex_unlock(&film->mutex);
-    atomic_store(&film->lost, true);
+    film_stop(film, e, &film->dropped);
 }
 
 static enum status film_error(struct film *film, struct error *e)
@@ -92,6 +88,8 @@ static enum status encode_frame(struct film *film, const struct encode_frame *fr
             given.image = NULL;
         if (output->row->frame(output->encoder, &given, e))
             return e->status;
+        if (!output->row->wants_rows)
+            output->fed = true; /* the others are by film_row, in another thread */
     }
     return STATUS_OK;
 }
@@ -112,7 +110,6 @@ static void *encode_thread(void *argument)
         else if (!atomic_load(&film->dropped) && encode_frame(film, &frame, &e))
             film_fail(film, &e);
         film->times.encode += clock_seconds() - start;
-        film->encoded++;
         queue_push(&film->pictures_idle, picture);
     }
     if (film->sheet && frame.image && !atomic_load(&film->dropped)) {
@@ -157,7 +154,7 @@ static void draw_all(struct film *film, struct renderer *renderer)
             struct picture *picture = queue_pop(&film->pictures_idle);
             bool drawn = draw_snapshot(film, renderer, snapshot, picture, &e) == STATUS_OK;
             if (!drawn && snapshot->slot)
-                film_lose(film, &e);
+                film_stop(film, &e, &film->lost);
             else if (!drawn)
                 film_fail(film, &e);
             queue_push(drawn ? &film->pictures_ready : &film->pictures_idle, picture);
@@ -420,11 +417,14 @@ enum status film_row(struct film *film, const double *numbers, struct error *e)
     if (film_error(film, e))
         return e->status;
     for (size_t i = 0; i < film->output_count; i++) {
-        const struct output *output = &film->outputs[i];
-        if (output->row->wants_rows && output->row->row(output->encoder, numbers, e)) {
+        struct output *output = &film->outputs[i];
+        if (!output->row->wants_rows)
+            continue;
+        if (output->row->row(output->encoder, numbers, e)) {
             film_fail(film, e);
             return e->status;
         }
+        output->fed = true;
     }
     return STATUS_OK;
 }
@@ -467,11 +467,12 @@ enum status film_close(struct film *film, bool keep, struct film_times *times, s
     join_threads(film);
     double start = clock_seconds();
     enum status status = film_error(film, &closing);
-    bool whole = keep && (!status || (film->lost && !film->dropped && film->encoded > 0));
+    const bool lost = film->lost && !film->dropped;
     if (keep && status)
         *e = closing;
     for (size_t i = 0; i < film->output_count; i++) {
         struct output *output = &film->outputs[i];
+        bool whole = keep && (!status || (lost && output->fed));
         if (output->row->close(output->encoder, whole, &closing) && !status) {
             *e = closing;
             status = closing.status;

@@ -2,7 +2,6 @@
 #include "run/plan.h"
 
 #include "base/memory.h"
-
 #include "particles/start.h"
 #include "run/budget.h"
 #include "run/film.h"

@@ -4,12 +4,10 @@
 
 #include "cuda_runtime.h"
 
-typedef struct cudaGraphicsResource *cudaGraphicsResource_t;
-enum { cudaGraphicsRegisterFlagsWriteDiscard = 2 };
+#ifndef GL_VERSION
+#error "OpenGL's header comes first, as CUDA on Arm wants it"
+#endif
+
 cudaError_t cudaGraphicsGLRegisterBuffer(cudaGraphicsResource_t *, unsigned buffer, unsigned flags);
-cudaError_t cudaGraphicsUnregisterResource(cudaGraphicsResource_t);
-cudaError_t cudaGraphicsMapResources(int, cudaGraphicsResource_t *, cudaStream_t = 0);
-cudaError_t cudaGraphicsUnmapResources(int, cudaGraphicsResource_t *, cudaStream_t = 0);
-cudaError_t cudaGraphicsResourceGetMappedPointer(void **, size_t *, cudaGraphicsResource_t);
 
 #endif

@@ -176,6 +176,13 @@ template <typename K> cudaError_t cudaFuncGetAttributes(cudaFuncAttributes *, K 
     return cudaSuccess;
 }
 
+typedef struct cudaGraphicsResource *cudaGraphicsResource_t;
+enum { cudaGraphicsRegisterFlagsWriteDiscard = 2 };
+cudaError_t cudaGraphicsUnregisterResource(cudaGraphicsResource_t);
+cudaError_t cudaGraphicsMapResources(int, cudaGraphicsResource_t *, cudaStream_t = 0);
+cudaError_t cudaGraphicsUnmapResources(int, cudaGraphicsResource_t *, cudaStream_t = 0);
+cudaError_t cudaGraphicsResourceGetMappedPointer(void **, size_t *, cudaGraphicsResource_t);
+
 /* Queues what a stream does; keeps it while the stream captures. */
 cudaError_t model_queue(cudaStream_t stream, std::function<void()> what);
 /* Runs a kernel's threads, `thread` for each. */

@@ -21,8 +21,7 @@ enum status cuda_show(struct backend *b, const struct shown *how, struct device_
     s.fixed = b->fixed;
     cuda_flush(b);
     cuda_launch(b, KERNEL_frame_show, s.count + s.wall_count, &s);
-    b->row->signal(b->device, filled);
-    return STATUS_OK;
+    return b->row->signal(b->device, filled, e);
 }
 
 enum status cuda_hash(struct backend *b, uint64_t *hash, struct error *e)

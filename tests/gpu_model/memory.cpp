@@ -1,0 +1,164 @@
+/* The model of a GPU: memory that begins as garbage, copies, errors, and what the device is. */
+#include "model.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+static cudaError_t last_error;
+
+cudaError_t model_failed(cudaError_t error)
+{
+    last_error = error;
+    return error;
+}
+
+static std::map<void *, size_t> on_device, pinned;
+
+static bool lies_in(const std::map<void *, size_t> &blocks, const void *address, size_t bytes)
+{
+    auto after = blocks.upper_bound(const_cast<void *>(address));
+    if (after == blocks.begin())
+        return false;
+    const auto &block = *--after;
+    return (const char *)address + bytes <= (const char *)block.first + block.second;
+}
+
+static cudaError_t allocate(std::map<void *, size_t> *blocks, void **block, size_t bytes)
+{
+    MODEL_LOCK;
+    *block = aligned_alloc(256, (bytes + 255) / 256 * 256);
+    if (!*block)
+        return model_failed(cudaErrorMemoryAllocation);
+    memset(*block, 0xa5, bytes);
+    (*blocks)[*block] = bytes;
+    return cudaSuccess;
+}
+
+static cudaError_t release_block(std::map<void *, size_t> *blocks, void *block)
+{
+    MODEL_LOCK;
+    if (!block)
+        return cudaSuccess;
+    model_synchronize();
+    if (!blocks->count(block))
+        return model_failed(cudaErrorInvalidValue);
+    memset(block, 0x5a, (*blocks)[block]);
+    blocks->erase(block);
+    free(block);
+    return cudaSuccess;
+}
+
+cudaError_t cudaMalloc(void **block, size_t bytes)
+{
+    return allocate(&on_device, block, bytes);
+}
+cudaError_t cudaFree(void *block)
+{
+    return release_block(&on_device, block);
+}
+cudaError_t cudaMallocHost(void **block, size_t bytes)
+{
+    return allocate(&pinned, block, bytes);
+}
+cudaError_t cudaFreeHost(void *block)
+{
+    return release_block(&pinned, block);
+}
+
+static cudaError_t memory_check(const void *block, size_t bytes)
+{
+    return lies_in(on_device, block, bytes) ? cudaSuccess : model_failed(cudaErrorInvalidValue);
+}
+
+cudaError_t cudaMemsetAsync(void *to, int value, size_t bytes, cudaStream_t stream)
+{
+    MODEL_LOCK;
+    if (memory_check(to, bytes))
+        return cudaErrorInvalidValue;
+    return model_queue(stream, [=] { memset(to, value, bytes); });
+}
+
+/* Memory that is not pinned is read before the call returns, and written before it returns. */
+cudaError_t cudaMemcpyAsync(void *to, const void *from, size_t bytes, cudaMemcpyKind kind, cudaStream_t stream)
+{
+    MODEL_LOCK;
+    if ((kind != cudaMemcpyDeviceToHost && memory_check(to, bytes)) ||
+        (kind != cudaMemcpyHostToDevice && memory_check(from, bytes)))
+        return cudaErrorInvalidValue;
+    if (kind == cudaMemcpyHostToDevice && !lies_in(pinned, from, bytes)) {
+        auto copy = std::make_shared<std::vector<char>>((const char *)from, (const char *)from + bytes);
+        return model_queue(stream, [=] { memcpy(to, copy->data(), bytes); });
+    }
+    model_queue(stream, [=] { memcpy(to, from, bytes); });
+    if (kind == cudaMemcpyDeviceToHost && !lies_in(pinned, to, bytes))
+        return cudaStreamSynchronize(stream);
+    return cudaSuccess;
+}
+
+extern "C" struct gpu_model_counts gpu_model_counts(void)
+{
+    MODEL_LOCK;
+    model_counts.device_bytes = 0;
+    for (const auto &block : on_device)
+        model_counts.device_bytes += block.second;
+    return model_counts;
+}
+
+const char *cudaGetErrorString(cudaError_t error)
+{
+    static const char *const words[] = {"no error", "invalid argument", "out of memory",
+                                        "operation not permitted when stream is capturing",
+                                        "operation not supported"};
+    return words[error];
+}
+const char *cudaGetErrorName(cudaError_t error)
+{
+    return cudaGetErrorString(error);
+}
+cudaError_t cudaGetLastError()
+{
+    cudaError_t error = last_error;
+    last_error = cudaSuccess;
+    return error;
+}
+cudaError_t cudaGetDeviceCount(int *count)
+{
+    *count = 1;
+    return cudaSuccess;
+}
+cudaError_t cudaGetDevice(int *index)
+{
+    *index = 0;
+    return cudaSuccess;
+}
+cudaError_t cudaSetDevice(int index)
+{
+    return index == 0 ? cudaSuccess : model_failed(cudaErrorInvalidValue);
+}
+cudaError_t cudaGetDeviceProperties(cudaDeviceProp *properties, int)
+{
+    *properties = cudaDeviceProp();
+    strcpy(properties->name, "a model of a GPU");
+    properties->major = 9;
+    return cudaSuccess;
+}
+cudaError_t cudaDeviceGetAttribute(int *value, cudaDeviceAttr, int)
+{
+    *value = 1;
+    return cudaSuccess;
+}
+cudaError_t cudaMemGetInfo(size_t *available, size_t *all)
+{
+    *available = *all = (size_t)1 << 40;
+    return cudaSuccess;
+}
+cudaError_t cudaDriverGetVersion(int *version)
+{
+    *version = 13000;
+    return cudaSuccess;
+}
+cudaError_t cudaRuntimeGetVersion(int *version)
+{
+    return cudaDriverGetVersion(version);
+}
