@@ -4,6 +4,7 @@
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/hidden.h"
+#include "render/resolve.h"
 #include "render/sprites_device.h"
 #include "render/wire_gl.h"
 
@@ -19,11 +20,10 @@ struct canvas {
     struct sprites sprites;
     struct sprites_device device;
     struct wire_gl wire;
-    GLuint framebuffer, color, depth;
+    struct resolve resolve;
+    GLuint framebuffer, color, depth; /* color is a texture */
     int width, height; /* of a frame, pixels */
-    bool clear;        /* drawn over nothing; the background is put behind it afterwards */
     int samples;       /* drawn pixels per frame pixel, in x and in y */
-    uint32_t *drawn;   /* RGBA bytes as read back, bottom row first */
     float *cover;      /* width * height, for hidden_drop */
     char name[300];
 };
@@ -31,11 +31,13 @@ struct canvas {
 /* The scene's picture must fit the machine's limits; without room for all samples, fewer. */
 static enum status size_check(struct canvas *r, struct error *e)
 {
-    GLint buffer = 0, viewport[2] = {0, 0}, most;
+    GLint buffer = 0, texture = 0, viewport[2] = {0, 0}, most;
     r->gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+    r->gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
     r->gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     most = viewport[0] < viewport[1] ? viewport[0] : viewport[1];
     most = buffer < most ? buffer : most;
+    most = texture < most ? texture : most;
     if (r->width < 1 || r->height < 1 || r->width > most || r->height > most)
         return error_set(e, STATUS_BACKEND, "a picture of %d x %d pixels cannot be drawn: %s draws "
                          "up to %d x %d; choose another --size", r->width, r->height, r->name,
@@ -46,22 +48,29 @@ static enum status size_check(struct canvas *r, struct error *e)
     return STATUS_OK;
 }
 
+/* 8 bits are too coarse for large faces over one another; on llvmpipe 16 take a third longer. */
+static bool is_deep(const struct canvas *r)
+{
+    return r->setup.scene->render.box == BOX_FACES;
+}
+
 static enum status framebuffer_open(struct canvas *r, struct error *e)
 {
     const struct gl *gl = &r->gl;
     GLsizei width = r->width * r->samples, height = r->height * r->samples;
     GLenum state;
-    /* 8 bits are too coarse for large faces over one another; on llvmpipe 16 take a third longer. */
-    const bool deep = r->setup.scene->render.box == BOX_FACES;
     gl->GenFramebuffers(1, &r->framebuffer);
-    gl->GenRenderbuffers(1, &r->color);
+    gl->GenTextures(1, &r->color);
     gl->GenRenderbuffers(1, &r->depth);
     gl->BindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
-    gl->BindRenderbuffer(GL_RENDERBUFFER, r->color);
-    gl->RenderbufferStorage(GL_RENDERBUFFER, deep ? GL_RGBA16 : GL_RGBA8, width, height);
+    gl->BindTexture(GL_TEXTURE_2D, r->color);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, is_deep(r) ? GL_RGBA16 : GL_RGBA8, width, height, 0, GL_RGBA,
+                   GL_UNSIGNED_BYTE, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->BindRenderbuffer(GL_RENDERBUFFER, r->depth);
     gl->RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);
-    gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, r->color);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, r->color, 0);
     gl->FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, r->depth);
     if (gl_check(gl, "while making the picture's memory", e) != STATUS_OK)
         return e->status;
@@ -69,9 +78,8 @@ static enum status framebuffer_open(struct canvas *r, struct error *e)
     if (state != GL_FRAMEBUFFER_COMPLETE)
         return error_set(e, STATUS_BACKEND, "%s cannot draw off-screen (framebuffer 0x%04x)",
                          r->name, state);
-    r->drawn = malloc((size_t)width * (size_t)height * 4);
     r->cover = malloc((size_t)r->width * (size_t)r->height * sizeof *r->cover);
-    if (!r->drawn || !r->cover)
+    if (!r->cover)
         return error_set(e, STATUS_RUN, "out of memory for the picture");
     return STATUS_OK;
 }
@@ -92,18 +100,22 @@ static enum status resources_open(struct canvas *r, struct error *e)
         status = sprites_open(&r->sprites, &r->gl, &r->setup, e);
     if (status == STATUS_OK && wire_wanted(r->setup.scene))
         status = wire_open(&r->wire, &r->gl, e);
+    if (status == STATUS_OK)
+        status = resolve_open(&r->resolve, &r->gl, r->setup.scene, r->width, r->height, r->samples, is_deep(r),
+                              e);
     return status;
 }
 
 static void resources_close(struct canvas *r)
 {
     const struct gl *gl = &r->gl;
+    resolve_close(&r->resolve, gl);
     wire_close(&r->wire, gl);
     sprites_device_close(&r->device);
     sprites_close(&r->sprites, gl);
     if (r->framebuffer) {
         gl->DeleteFramebuffers(1, &r->framebuffer);
-        gl->DeleteRenderbuffers(1, &r->color);
+        gl->DeleteTextures(1, &r->color);
         gl->DeleteRenderbuffers(1, &r->depth);
     }
 }
@@ -119,7 +131,6 @@ static void canvas_close(void *canvas)
         r->row->unbind(r->context);
     }
     r->row->close(r->context);
-    free(r->drawn);
     free(r->cover);
     free(r);
 }
@@ -146,7 +157,6 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     r->row = row->context;
     r->width = setup->scene->movie.size[0];
     r->height = setup->scene->movie.size[1];
-    r->clear = setup->scene->render.transparent || !isnan(setup->scene->render.background_top[0]);
     enum status status = r->row->open(&r->context, setup->on_device ? setup->device : -1, e);
     if (status == STATUS_OK)
         status = r->row->bind(r->context, e);
@@ -181,7 +191,6 @@ static enum status gl_draw(struct canvas *r, const struct camera *camera,
     const struct gl *gl = &r->gl;
     const struct scene *scene = r->setup.scene;
     const double *back = scene->render.background;
-    const bool clear = r->clear;
     GLsizei width = r->width * r->samples, height = r->height * r->samples;
     const size_t count = frame->slot ? frame->count
                                      : hidden_drop(camera, r->sprites.packed, frame->count, r->setup.radius,
@@ -192,7 +201,7 @@ static enum status gl_draw(struct canvas *r, const struct camera *camera,
     gl->Disable(GL_DITHER);
     gl->Disable(GL_BLEND);
     gl->DepthMask(1);
-    if (clear)
+    if (r->resolve.over)
         gl->ClearColor(0, 0, 0, 0);
     else
         gl->ClearColor((float)back[0], (float)back[1], (float)back[2], 1);
@@ -202,64 +211,7 @@ static enum status gl_draw(struct canvas *r, const struct camera *camera,
     const struct wire_view view = {scene, camera, frame, far, r->samples, 1};
     if (wire_wanted(scene) && wire_draw(&r->wire, gl, &view, e))
         return e->status;
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl->ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, r->drawn);
     return gl_check(gl, "while drawing a frame", e);
-}
-
-/* The rounded mean of four RGBA pixels, two bytes at a time in the halves of a word. */
-static uint32_t mean4(const uint32_t *upper, const uint32_t *lower)
-{
-    const uint32_t half = 0x00ff00ff, round = 0x00020002;
-    uint32_t a = (upper[0] & half) + (upper[1] & half) + (lower[0] & half) + (lower[1] & half);
-    uint32_t b = (upper[0] >> 8 & half) + (upper[1] >> 8 & half) + (lower[0] >> 8 & half) +
-                 (lower[1] >> 8 & half);
-    return ((a + round) >> 2 & half) | ((b + round) >> 2 & half) << 8;
-}
-
-/* The mean of a pixel's samples, of which the first is given, over the background of its row. */
-static void mean_over(const struct canvas *r, const uint32_t *sample, size_t row, const float back[4],
-                      uint8_t out[4])
-{
-    const int n = r->samples;
-    float sum[4] = {0};
-    for (int j = 0; j < n * n; j++)
-        for (int k = 0; k < 4; k++)
-            sum[k] += (float)(sample[(size_t)(j / n) * row + (size_t)(j % n)] >> 8 * k & 255);
-    float count = (float)(n * n), empty = 1 - sum[3] / (255 * count);
-    float alpha = 1 - empty * (1 - back[3]), whole = alpha > 1e-4F ? alpha : 1;
-    for (int k = 0; k < 3; k++)
-        out[k] = (uint8_t)((sum[k] / count + 255 * empty * back[k] * back[3]) / whole + 0.5F);
-    out[3] = (uint8_t)(255 * alpha + 0.5F);
-}
-
-/* The background in the middle of a row of pixels; its alpha is 0 where there is none. */
-static void background_of(const struct canvas *r, int y, float back[4])
-{
-    const struct scene *scene = r->setup.scene;
-    double part = (y + 0.5) / r->height;
-    for (int k = 0; k < 3; k++) {
-        double low = scene->render.background[k], high = scene->render.background_top[k];
-        back[k] = (float)(isnan(high) ? low : high + part * (low - high));
-    }
-    back[3] = scene->render.transparent ? 0 : 1;
-}
-
-/* Rows from the top, and the mean of samples where there are several. */
-static void resolve(const struct canvas *r, struct image *image)
-{
-    size_t n = (size_t)r->samples, row = (size_t)r->width * n; /* pixels */
-    uint32_t *out = (uint32_t *)(void *)image->rgba;
-    for (int y = 0; y < r->height; y++, out += r->width) {
-        const uint32_t *upper = r->drawn + (size_t)(r->height - 1 - y) * n * row;
-        float back[4];
-        background_of(r, y, back);
-        for (int x = 0; x < r->width; x++)
-            if (n == 2 && !r->clear)
-                out[x] = mean4(upper + 2 * x, upper + row + 2 * x);
-            else
-                mean_over(r, upper + n * (size_t)x, row, back, (uint8_t *)(out + x));
-    }
 }
 
 static enum status canvas_draw(void *canvas, const struct camera *camera,
@@ -273,9 +225,9 @@ static enum status canvas_draw(void *canvas, const struct camera *camera,
         status = sprites_device_prepare(&r->device, &r->sprites, &r->setup, frame, e);
     if (status == STATUS_OK)
         status = gl_draw(r, camera, frame, e);
-    r->row->unbind(r->context);
     if (status == STATUS_OK)
-        resolve(r, image);
+        status = resolve_read(&r->resolve, &r->gl, r->color, image->rgba, e);
+    r->row->unbind(r->context);
     return status;
 }
 

@@ -24,12 +24,12 @@ enum {
     GL_PACK_ALIGNMENT = 0x0D05, GL_UNPACK_ALIGNMENT = 0x0CF5,
     GL_MAX_TEXTURE_SIZE = 0x0D33, GL_MAX_VIEWPORT_DIMS = 0x0D3A,
     GL_MAX_RENDERBUFFER_SIZE = 0x84E8, GL_MAX_TEXTURE_BUFFER_SIZE = 0x8C2B,
-    GL_TEXTURE_1D = 0x0DE0, GL_TEXTURE_BUFFER = 0x8C2A,
+    GL_TEXTURE_1D = 0x0DE0, GL_TEXTURE_2D = 0x0DE1, GL_TEXTURE_BUFFER = 0x8C2A,
     GL_UNSIGNED_BYTE = 0x1401, GL_FLOAT = 0x1406,
     GL_RGB = 0x1907, GL_RGBA = 0x1908, GL_RGB8 = 0x8051, GL_RGBA8 = 0x8058, GL_RGBA16 = 0x805B,
-    GL_RGBA32UI = 0x8D70,
+    GL_RGBA32F = 0x8814, GL_RGBA32UI = 0x8D70, GL_RGBA8UI = 0x8D7C, GL_RGBA_INTEGER = 0x8D99,
     GL_RENDERER = 0x1F01, GL_VERSION = 0x1F02,
-    GL_LINEAR = 0x2601, GL_CLAMP_TO_EDGE = 0x812F,
+    GL_NEAREST = 0x2600, GL_LINEAR = 0x2601, GL_CLAMP_TO_EDGE = 0x812F,
     GL_TEXTURE_MAG_FILTER = 0x2800, GL_TEXTURE_MIN_FILTER = 0x2801, GL_TEXTURE_WRAP_S = 0x2802,
     GL_TEXTURE0 = 0x84C0,
     GL_ARRAY_BUFFER = 0x8892, GL_COPY_WRITE_BUFFER = 0x8F37, GL_STREAM_DRAW = 0x88E0,
@@ -73,6 +73,7 @@ enum {
     X(void, Enable, (GLenum cap))                                                                  \
     X(void, EnableVertexAttribArray, (GLuint index))                                               \
     X(void, FramebufferRenderbuffer, (GLenum target, GLenum at, GLenum rbt, GLuint rb))            \
+    X(void, FramebufferTexture2D, (GLenum target, GLenum at, GLenum tt, GLuint texture, GLint level)) \
     X(void, GenBuffers, (GLsizei n, GLuint *buffers))                                              \
     X(void, GenFramebuffers, (GLsizei n, GLuint *framebuffers))                                    \
     X(void, GenRenderbuffers, (GLsizei n, GLuint *renderbuffers))                                  \
@@ -95,6 +96,8 @@ enum {
     X(void, TexBuffer, (GLenum target, GLenum format, GLuint buffer))                              \
     X(void, TexImage1D, (GLenum target, GLint level, GLint internal, GLsizei width, GLint border,  \
                          GLenum format, GLenum type, const void *data))                            \
+    X(void, TexImage2D, (GLenum target, GLint level, GLint internal, GLsizei width, GLsizei height, \
+                         GLint border, GLenum format, GLenum type, const void *data))              \
     X(void, TexParameteri, (GLenum target, GLenum name, GLint param))                              \
     X(void, Uniform1f, (GLint location, GLfloat x))                                                \
     X(void, Uniform1i, (GLint location, GLint x))                                                  \
