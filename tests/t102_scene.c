@@ -190,6 +190,23 @@ static void applies_overrides(void **state)
     scene_free(s);
 }
 
+/* Ranges are of the file's quantity, unless an override gives them or chooses the same one. */
+static void forgets_ranges(void **state)
+{
+    (void)state;
+    static const char text[] = WITH("\"color\": {\"range\": [3, 5]}, \"render\": {\"show_range\": [1, 2]}");
+    static const char *const items[] = {"color.by=pressure", "color={\"by\": \"pressure\"}", "color.by=velocity"};
+    for (size_t i = 0; i < 3; i++) {
+        struct scene *s = load_set(text, items + i, 1);
+        assert_true(isnan(s->color.range[0]) == (i < 2) && isnan(s->render.show_range[1]) == (i < 2));
+        scene_free(s);
+    }
+    static const char *const ranged[] = {"color.range=[7, 8]", "color.by=pressure", "render.show_range=[0, 1]"};
+    struct scene *s = load_set(text, ranged, 3);
+    assert_true(s->color.range[0] == 7 && s->render.show_range[1] == 1);
+    scene_free(s);
+}
+
 static const struct { const char *item, *says; } bad_items[] = {
     {"time", "write key.path=value"},
     {"=3", "write key.path=value"},
@@ -286,7 +303,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refuses_with_place), cmocka_unit_test(fills_defaults),
         cmocka_unit_test(keeps_options_of_the_chosen), cmocka_unit_test(applies_overrides),
-        cmocka_unit_test(refuses_overrides), cmocka_unit_test(round_trips),
-        cmocka_unit_test(schema_knows_options)};
+        cmocka_unit_test(forgets_ranges), cmocka_unit_test(refuses_overrides),
+        cmocka_unit_test(round_trips), cmocka_unit_test(schema_knows_options)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

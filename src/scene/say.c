@@ -275,12 +275,34 @@ static enum status say_set(struct load *load, struct json *doc, const char *item
     return say_object(load, &scope, place);
 }
 
+/* The word of a key that takes one, as far as it is said now. */
+static void word_now(const struct load *load, size_t row, char word[KEY_TEXT_SIZE])
+{
+    const struct place said = load->said[row];
+    if (!said.doc || !json_string(said.doc, said.node, word, KEY_TEXT_SIZE))
+        sscanf(load->keys.items[row].key->fallback, "\"%127[^\"]", word);
+}
+
+/* Ranges of one quantity are not those of another: forgets what the file says in the unit of color.by. */
+static void forget_ranges(struct load *load)
+{
+    for (size_t i = 0; i < load->keys.count; i++)
+        if (strcmp(load->keys.items[i].key->unit, "of color.by") == 0 && load->said[i].doc == &load->file)
+            load->said[i] = (struct place){0};
+}
+
 enum status say_override(struct load *load, const struct scene_overrides *set, size_t i)
 {
-    char label[512];
+    const size_t by = key_list_find(&load->keys, "color.by");
+    char label[512], before[KEY_TEXT_SIZE] = "", after[KEY_TEXT_SIZE] = "";
     if (set->labels && set->labels[i])
         snprintf(label, sizeof label, "%s", set->labels[i]);
     else
         snprintf(label, sizeof label, "--set %s", set->items[i]);
-    return say_set(load, &load->sets[i], set->items[i], label);
+    word_now(load, by, before);
+    enum status status = say_set(load, &load->sets[i], set->items[i], label);
+    word_now(load, by, after);
+    if (strcmp(before, after) != 0)
+        forget_ranges(load);
+    return status;
 }
