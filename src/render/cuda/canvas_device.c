@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { PIXEL = sizeof(uint32_t) };
+
 /* The same bytes in pinned memory and on the device. */
 struct mirror {
     void *host, *device;
@@ -24,11 +26,10 @@ struct canvas {
     struct device *device;
     const struct splat_isa *isa; /* of colours, which are made here */
     struct occlusion occlusion;
-    struct mirror position, rgb, rays, blends, map;
+    struct mirror position, rgb, rays, blends, map, pixel;
     void *balls, *mask;          /* on the device */
     size_t ball_bytes, mask_bytes;
     uint64_t *seen, *nearest;    /* nearest: only with setup.raw */
-    uint32_t *pixel;
     uint64_t *raw;               /* `nearest`, read back */
     char name[DEVICE_NAME + 16];
 };
@@ -92,12 +93,13 @@ void canvas_device_close(void *canvas)
     if (!c)
         return;
     if (c->device) {
-        void *const blocks[] = {c->balls, c->mask, c->seen, c->nearest, c->pixel};
+        void *const blocks[] = {c->balls, c->mask, c->seen, c->nearest};
         mirror_free(c, &c->position);
         mirror_free(c, &c->rgb);
         mirror_free(c, &c->rays);
         mirror_free(c, &c->blends);
         mirror_free(c, &c->map);
+        mirror_free(c, &c->pixel);
         for (size_t k = 0; k < sizeof blocks / sizeof *blocks; k++)
             if (blocks[k])
                 c->row->destroy(c->device, blocks[k]);
@@ -115,8 +117,8 @@ static enum status picture_make(struct canvas *c, struct error *e)
     const struct sampling *g = &c->grid;
     const size_t rays = ((size_t)g->width + (size_t)g->height) * sizeof(float);
     c->seen = c->row->create(c->device, "samples of the picture", samples_of(c) * sizeof *c->seen, e);
-    c->pixel = c->seen ? c->row->create(c->device, "the picture", pixels_of(c) * sizeof *c->pixel, e) : NULL;
-    if (!c->pixel || mirror_reserve(c, &c->rays, "rays", rays, e))
+    if (!c->seen || mirror_reserve(c, &c->pixel, "the picture", pixels_of(c) * PIXEL, e) ||
+        mirror_reserve(c, &c->rays, "rays", rays, e))
         return e->status;
     if (!c->setup.raw)
         return STATUS_OK;
@@ -304,6 +306,19 @@ static enum status raw_read(struct canvas *c, const struct render_frame *frame, 
     return STATUS_OK;
 }
 
+/* By way of pinned memory, which a GPU writes several times as fast. */
+static enum status picture_read(struct canvas *c, struct image *image, struct error *e)
+{
+    const size_t row = (size_t)image->width * PIXEL;
+    const char *from = c->pixel.host;
+    if (c->row->read(c->device, c->pixel.host, c->pixel.device, pixels_of(c) * PIXEL, e))
+        return e->status;
+#pragma omp parallel for schedule(static) num_threads(c->grid.threads)
+    for (int y = 0; y < image->height; y++)
+        memcpy(image->rgba + (size_t)y * row, from + (size_t)y * row, row);
+    return STATUS_OK;
+}
+
 static enum status picture_draw(struct canvas *c, const struct camera *camera, const struct render_frame *frame,
                                 struct image *image, struct error *e)
 {
@@ -312,14 +327,14 @@ static enum status picture_draw(struct canvas *c, const struct camera *camera, c
                           .from = sampling_viewpoint(g, camera, c->setup.radius),
                           .seen = c->seen, .width = g->width, .height = g->height, .tile = g->tile,
                           .columns = (g->width + g->tile - 1) / g->tile,
-                          .pixel = c->pixel, .nearest = c->nearest};
+                          .pixel = c->pixel.device, .nearest = c->nearest};
     rays_upload(c, camera, &w.splat);
     if (spheres_queue(c, frame, &w, e) || domain_queue(c, camera, frame, &w, e))
         return e->status;
     launch(c, DRAW_shade, pixels_of(c), &w);
     if (image->raw)
         launch(c, DRAW_nearest, pixels_of(c), &w);
-    if (c->row->read(c->device, image->rgba, c->pixel, pixels_of(c) * sizeof *c->pixel, e))
+    if (picture_read(c, image, e))
         return e->status;
     return image->raw ? raw_read(c, frame, image, e) : STATUS_OK;
 }
