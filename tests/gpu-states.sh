@@ -35,7 +35,7 @@ clean() {
 
 "$SPH" list devices | sed 's/^/# /'
 for scene in scenes/*.json scenes/seeds/*.json scenes/validation/*.json scenes/stability/*.json; do
-    same "$scene" "$scene" --end "$(jq -r '.time.end / 20' "$scene")" --fps "$(jq -r '200 / .time.end' "$scene")"
+    same "$scene" "$scene" --at "$(jq -r '[range(11) * .time.end / 200 | tostring] | join(",")' "$scene")"
 done
 same "dfsph" scenes/dambreak.json --set 'solver={"method": "dfsph"}' --set particles.spacing=0.035 --end 1.2
 same "explicit dam break" tests/scenes/dam.json
@@ -51,6 +51,12 @@ same "isph, thick" tests/scenes/honey.json --set 'solver={"method": "isph"}'
 same "isph, two fluids" tests/scenes/projection-two-fluids.json
 same "isph, wall particles" tests/scenes/projection-wall-particles.json
 same "isph, enclosed" tests/scenes/projection-vortices.json
+whole=$DEVICE
+for block in 32 512; do
+    DEVICE=$whole:0:$block
+    same "$block threads a block" tests/scenes/dam.json
+done
+DEVICE=$whole
 same "drop in another fluid" tests/scenes/drop-in-fluid.json --end 0.02 --fps 500
 if command -v compute-sanitizer >"$work/out"; then
     for tool in memcheck racecheck initcheck synccheck; do

@@ -34,6 +34,10 @@ case $devices in
     refused 2 "give the number of a device after the colon" --backend cuda:
     refused 2 "give the number of a device after the colon" --backend cuda:-1
     refused 2 "give the number of a device after the colon" --backend cuda:one
+    for block in "" x 0 16 100 544 -32 64x; do
+        refused 2 "give threads of a block after the second colon: 32, 64, ... 512" --backend "cuda:0:$block"
+    done
+    refused 3 "there is no GPU that CUDA can use" --backend cuda:0:512
     "$SPH" scenes/dambreak.json --set particles.spacing=0.1 --end 0.01 -o null -v >"$work/out" 2>&1
     grep -q "back end cuda passed over: ." "$work/out" && grep -q " on cpu (" "$work/out"
     result $? "auto goes on to the cpu, and says why with -v"

@@ -51,7 +51,8 @@ struct outcome {
     double pairs, time;
 };
 
-static struct outcome run(const struct test_case *c, const struct backend_row *row)
+/* block: threads of a block of sums over neighbours. */
+static struct outcome run(const struct test_case *c, const struct backend_row *row, unsigned block)
 {
     struct run_options options = {.backend = "cpu", .isa = "auto", .threads = 1};
     struct scene_overrides set = {.items = c->sets};
@@ -66,6 +67,7 @@ static struct outcome run(const struct test_case *c, const struct backend_row *r
     if (scene_load(&scene, c->path, &set, &run_vocabulary, &e) || plan_make(&plan, scene, &options, &e))
         fail_msg("%s: %s", c->name, e.text);
     plan.backend = row;
+    plan.block = block;
     if (simulation_open(&s, &plan, &options, &e))
         fail_msg("%s: %s", c->name, e.text);
     for (long k = 0; k < c->steps; k++)
@@ -87,14 +89,15 @@ static struct outcome run(const struct test_case *c, const struct backend_row *r
 
 static void same_bits_in_any_order(void **state)
 {
+    static const unsigned blocks[] = {0, 32, 160, 512};
     struct backend_row row = backend_cuda_host;
     (void)state;
     row.device = &device_cuda;
     row.open = open_model;
     for (size_t k = 0; k < CASES; k++) {
-        const struct outcome cpu = run(&cases[k], &backend_cpu);
+        const struct outcome cpu = run(&cases[k], &backend_cpu, 0);
         gpu_model_order((enum gpu_model_order)(k % 3));
-        const struct outcome gpu = run(&cases[k], &row);
+        const struct outcome gpu = run(&cases[k], &row, blocks[k % 4]);
         if (memcmp(&cpu, &gpu, sizeof cpu) != 0)
             fail_msg("%s: %ld steps, %g pairs; on the model %ld, %g, state %s", cases[k].name, cpu.steps,
                      cpu.pairs, gpu.steps, gpu.pairs, cpu.hash == gpu.hash ? "the same" : "another");

@@ -18,34 +18,45 @@ const struct variant_table backend_table = {
     .count = sizeof rows / sizeof *rows,
 };
 
-enum status backend_find(const char *name, const struct backend_row **row, int *device,
-                         struct error *e)
+/* ":N", ":N:B". */
+static enum status read_device(const char *name, const char *colon, struct backend_place *place, struct error *e)
+{
+    char *end;
+    long number = strtol(colon + 1, &end, 10), block = 0;
+    if (!place->row->has_devices)
+        return error_set(e, STATUS_USAGE, "--backend %s: it has no devices to choose from; leave out the colon", name);
+    if (end == colon + 1 || (*end && *end != ':') || number < 0 || number > 1023)
+        return error_set(e, STATUS_USAGE, "--backend %s: give the number of a device after the colon, from 0", name);
+    place->device = (int)number;
+    if (!*end)
+        return STATUS_OK;
+    colon = end;
+    block = strtol(colon + 1, &end, 10);
+    if (end == colon + 1 || *end || block < 32 || block > BLOCK_MAX || block % 32)
+        return error_set(e, STATUS_USAGE, "--backend %s: give threads of a block after the second colon: 32, 64, ... %d",
+                         name, BLOCK_MAX);
+    place->block = (unsigned)block;
+    return STATUS_OK;
+}
+
+enum status backend_find(const char *name, struct backend_place *place, struct error *e)
 {
     const char *colon = strchr(name, ':');
-    char word[32] = "", *end = NULL;
+    char word[32] = "";
     size_t length = colon ? (size_t)(colon - name) : strlen(name);
-    *row = NULL;
-    *device = 0;
+    *place = (struct backend_place){0};
     if (strcmp(name, "auto") == 0)
         return STATUS_OK;
     if (length < sizeof word)
         memcpy(word, name, length);
-    *row = (const struct backend_row *)variant_find(&backend_table, word);
-    if (!*row)
+    place->row = (const struct backend_row *)variant_find(&backend_table, word);
+    if (!place->row)
         return error_set(e, STATUS_USAGE, "--backend %s: there is no such back end; give auto, cpu, "
                          "cuda, or cuda:N for device N (sph-render list devices)", name);
-    if ((*row)->variant.missing)
+    if (place->row->variant.missing)
         return error_set(e, STATUS_BACKEND, "--backend %s: not in this build: %s", name,
-                         (*row)->variant.missing);
-    if (!colon)
-        return STATUS_OK;
-    long number = strtol(colon + 1, &end, 10);
-    if (!(*row)->has_devices || end == colon + 1 || *end || number < 0 || number > 1023)
-        return error_set(e, STATUS_USAGE, "--backend %s: %s", name,
-                         (*row)->has_devices ? "give the number of a device after the colon, from 0"
-                                             : "it has no devices to choose from; leave out the colon");
-    *device = (int)number;
-    return STATUS_OK;
+                         place->row->variant.missing);
+    return colon ? read_device(name, colon, place, e) : STATUS_OK;
 }
 
 const struct backend_row *backend_first(void)

@@ -18,6 +18,7 @@ struct backend_setup {
     const char *isa;  /* row of "isas", or "auto" */
     int threads;      /* 0: all processors */
     int device;       /* of cuda */
+    unsigned block;   /* struct backend_place */
     bool timed;       /* each pass is timed by itself, though it would be queued */
 };
 
@@ -107,10 +108,17 @@ extern const struct backend_row backend_cpu;
 extern const struct backend_row backend_cuda;
 extern const struct backend_row backend_cuda_host; /* of tests: not in the table */
 
-/* The row of --backend NAME or NAME:N, and N; NULL for "auto". STATUS_USAGE when there is none,
- * STATUS_BACKEND when it is not in this build. */
-enum status backend_find(const char *name, const struct backend_row **row, int *device,
-                         struct error *e);
+enum { BLOCK_MAX = 512 };
+
+/* What --backend NAME, NAME:N or NAME:N:B says. */
+struct backend_place {
+    const struct backend_row *row; /* NULL: "auto" */
+    int device;     /* N */
+    unsigned block; /* B: threads of a block of sums over neighbours, warps of 32; 0: as the kernels like */
+};
+
+/* STATUS_USAGE when there is no such back end, STATUS_BACKEND when it is not in this build. */
+enum status backend_find(const char *name, struct backend_place *place, struct error *e);
 
 /* The first that can run here. */
 const struct backend_row *backend_first(void);

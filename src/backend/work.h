@@ -75,6 +75,7 @@ struct work {
     size_t count;
     enum solve solve_of;       /* that the pass belongs to, or comes before */
     bool looping;              /* a sweep of it: nothing to do when it has ended */
+    unsigned block;            /* on a GPU: threads of a block of sums over neighbours; 0: as kernels like */
     struct pair_constants constants;
     const struct solver_choice *choice; /* where bodies run */
     struct scalars *scalars;            /* there, too */

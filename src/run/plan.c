@@ -225,13 +225,17 @@ static enum status plan_rows(struct plan *plan, const struct scene *scene,
                              const struct run_options *options, struct error *e)
 {
     bool automatic = strcmp(scene->neighbours, "auto") == 0;
+    struct backend_place place;
     *plan = (struct plan){.scene = scene};
     plan->solver = (const struct solver_row *)variant_find(&solver_table, scene->solver.method);
     plan->search = automatic ? &search_index_sort
                              : (const struct search_row *)variant_find(&search_table,
                                                                        scene->neighbours);
-    if (backend_find(options->backend ? options->backend : "auto", &plan->backend, &plan->device, e))
+    if (backend_find(options->backend ? options->backend : "auto", &place, e))
         return e->status;
+    plan->backend = place.row;
+    plan->device = place.device;
+    plan->block = place.block;
     if (options->strict && isnan(scene->time.step))
         return error_set(e, STATUS_USAGE, "--strict: %s gives no time.step that could be too "
                          "long; give one, or leave out --strict", scene->source);

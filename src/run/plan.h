@@ -30,6 +30,7 @@ struct plan {
     size_t pass_count;
     unsigned fields;               /* allocated */
     int device;                    /* of the cuda back end */
+    unsigned block;                /* struct backend_place */
     size_t bytes_per_particle;     /* of the fields, without neighbour rows */
     const char *omitted[32];       /* "what: why" */
     size_t omitted_count;

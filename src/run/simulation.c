@@ -158,6 +158,7 @@ enum status simulation_open(struct simulation *s, const struct plan *plan,
         .isa = options->isa ? options->isa : "auto",
         .threads = options->threads,
         .device = plan->device,
+        .block = plan->block,
         .timed = options->timed,
     };
     const struct backend_row *row = simulation_backend(plan, options);

@@ -125,7 +125,7 @@ struct study_point {
     struct scene *scene;          /* as it runs */
     int threads;                  /* 0: all processors */
     char isa[16];                 /* row of "isas", or "auto" */
-    char backend[16];             /* "cpu" unless the study says cuda or cuda:N */
+    char backend[16];             /* "cpu" unless the study says otherwise */
     double guess;                 /* particles, estimated */
     bool shipped;                 /* the rung changes nothing of the scene */
 

@@ -37,7 +37,8 @@ const struct cli_option cli_options[] = {
     {"color", "NAME", CLI_COLOR, 2, "Quantity shown (color.by)", "colors", "color.by"},
 
     {"threads", "N", CLI_THREADS, 3, "Threads; 0, the default: one per processor", NULL, NULL},
-    {"backend", "NAME", CLI_BACKEND, 3, "Where particles are computed; cuda:N is device N",
+    {"backend", "NAME", CLI_BACKEND, 3, "Where particles are computed; cuda:N is device N, cuda:N:B with B "
+     "threads a block of sums over neighbours",
      "backends", NULL},
     {"renderer", "NAME", CLI_RENDERER, 3, "What draws frames", "renderers", NULL},
     {"isa", "NAME", CLI_ISA, 3, "Vector instructions of the CPU; all give the same bits", "isas",

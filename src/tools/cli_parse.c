@@ -169,10 +169,9 @@ static void read_variant(struct cli *cli, const struct cli_option *option, const
 
 static void read_backend(struct cli *cli, const char *value)
 {
-    const struct backend_row *row;
-    int device;
+    struct backend_place place;
     cli->run.backend = value;
-    backend_find(value, &row, &device, &cli->error);
+    backend_find(value, &place, &cli->error);
 }
 
 static void read_argument(struct cli *cli, const char *value)

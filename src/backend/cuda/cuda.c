@@ -194,6 +194,7 @@ enum status cuda_open_on(const struct device_row *row, const struct kernel *kern
     b->space = *setup->space;
     b->all = setup->search == &search_all_pairs;
     b->timed = setup->timed;
+    b->block = setup->block;
     if (row->info(setup->device, &info, e) || check_memory(b, &info, particles, walls, e) ||
         row->open(&b->device, setup->device, e) ||
         upload_particles(b, particles, &b->particles, e) ||

@@ -47,6 +47,7 @@ struct backend {
     struct solver_choice *there; /* the same on the device */
     struct space space;
     bool all, timed;
+    unsigned block;          /* struct backend_place */
     struct particles particles, wall; /* on the device */
     struct particles seen;            /* copies in host memory */
     struct particles curl;            /* sorted copy for vorticity, on the device */

@@ -33,7 +33,8 @@ static_assert(sizeof(struct work) <= KERNEL_ARGS && sizeof(struct order_work) <=
 #include "backend/cuda/frame_list.h"
 #undef FRAME
 
-enum { THREADS = 256, PAIR_THREADS = 128, GRID_MAX = 2048, WARP = 32 };
+/* PAIR_MOST bounds the registers of a thread (128), of which pair sums need fewer. */
+enum { THREADS = 256, PAIR_THREADS = 128, PAIR_MOST = 512, GRID_MAX = 2048, WARP = 32 };
 
 /* Blocks for one thread each, or, where blocks go on to further particles, at most GRID_MAX. */
 static unsigned blocks_for(size_t threads, unsigned per_block)
@@ -204,15 +205,21 @@ static __device__ double sum_in_order(double term)
 #include "backend/bodies/stage_list.h"
 #undef STAGE
 
+static unsigned pair_block(const void *work)
+{
+    const unsigned block = ((const struct work *)work)->block;
+    return block ? block : PAIR_THREADS;
+}
+
 #define PAIR(name, call)                                                                           \
-    KERNEL(pair_##name, PAIR_THREADS)                                                              \
+    KERNEL(pair_##name, PAIR_MOST)                                                                 \
     {                                                                                              \
         UNLESS_ENDED(w);                                                                           \
-        size_t i = (size_t)blockIdx.x * PAIR_THREADS + threadIdx.x;                                \
+        size_t i = (size_t)blockIdx.x * blockDim.x + threadIdx.x;                                  \
         if (i < w->count)                                                                          \
             call;                                                                                  \
     }                                                                                              \
-    LAUNCH(pair_##name, blocks_for(threads, PAIR_THREADS), PAIR_THREADS, struct work)
+    LAUNCH(pair_##name, blocks_for(threads, pair_block(args)), pair_block(args), struct work)
 #include "backend/bodies/pair_list.h"
 #define FORCE(flags)                                                                               \
     PAIR(force_##flags, force_sum(w, i, flags, false))                                             \

@@ -10,8 +10,10 @@
 struct work cuda_work(struct backend *b, enum pass_id pass, enum solve solve, bool looping)
 {
     struct work_rows rows = {b->rows.block, b->wall_rows.block, b->rows.count, b->wall_rows.count};
-    return work_make(pass, solve, looping, &b->choice, b->there, b->scalars, &b->particles,
-                     b->wall.count ? b->wall.now[FIELD_POSITION] : NULL, &b->arrays, &rows);
+    struct work work = work_make(pass, solve, looping, &b->choice, b->there, b->scalars, &b->particles,
+                                 b->wall.count ? b->wall.now[FIELD_POSITION] : NULL, &b->arrays, &rows);
+    work.block = b->block;
+    return work;
 }
 
 /* Numbers of the step, or of a solve, from pinned memory. */
