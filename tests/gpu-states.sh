@@ -1,8 +1,9 @@
 #!/bin/sh
 # On a machine with a GPU (make test-gpu): states of cuda have the bits of cpu in every scene, frames can
-# be drawn from them, and compute-sanitizer finds nothing. Not run by make test.
+# be drawn from them, and compute-sanitizer finds nothing. SCENES and SHORT (s, the end of every run) shorten it.
 . tests/tap.sh
-: "${BUILD:=build}" "${DEVICE:=cuda}"
+: "${BUILD:=build}" "${DEVICE:=cuda}" "${SHORT:=}"
+: "${SCENES:=scenes/*.json scenes/seeds/*.json scenes/validation/*.json scenes/stability/*.json}"
 SPH=$BUILD/sph-render
 export OMP_WAIT_POLICY=passive
 
@@ -10,6 +11,7 @@ export OMP_WAIT_POLICY=passive
 states() {
     backend=$1
     shift
+    [ -z "$SHORT" ] || set -- "$@" --end "$SHORT" --fps 1000
     "$SPH" -q "$@" --backend "$backend" -o null --report "$work/report.json" 2>"$work/err" || return 1
     jq -r '.frames[] | "\(.time) \(.state)"' "$work/report.json"
 }
@@ -34,7 +36,7 @@ clean() {
 }
 
 "$SPH" list devices | sed 's/^/# /'
-for scene in scenes/*.json scenes/seeds/*.json scenes/validation/*.json scenes/stability/*.json; do
+for scene in $SCENES; do
     same "$scene" "$scene" --at "$(jq -r '[range(11) * .time.end / 200 | tostring] | join(",")' "$scene")"
 done
 same "dfsph" scenes/dambreak.json --set 'solver={"method": "dfsph"}' --set particles.spacing=0.035 --end 1.2
