@@ -118,14 +118,28 @@ $(BUILD)/tests/%: tests/%.c $(LIBRARY)
 # The .cu files on a model of a GPU, for tests without one; its objects come before the library's.
 MODEL_CU   := $(sort $(shell find src -name '*.cu')) $(sort $(wildcard tests/gpu_model/*.cpp))
 MODEL_O    := $(patsubst %,$(BUILD)/model/%.o,$(MODEL_CU))
+MODEL_FLAGS := -std=c++20 -O1 -g -ffp-contract=off -Itests/gpu_model -Isrc -DHAVE_EGL=$(EGL) -x c++ -include cuda_runtime.h
 MODEL_TESTS := $(BUILD)/tests/t444_gpu_model $(BUILD)/tests/t445_model_frames
 $(BUILD)/model/%.o: % $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(call quiet,CXX  $<) g++ -std=c++20 -O1 -g -ffp-contract=off -Itests/gpu_model -Isrc -DHAVE_EGL=$(EGL) -x c++ \
-	    -include cuda_runtime.h -MMD -MP -c -o $@ $<
+	$(call quiet,CXX  $<) g++ $(MODEL_FLAGS) -MMD -MP -c -o $@ $<
 $(MODEL_TESTS): $(BUILD)/tests/%: tests/%.c $(MODEL_O) $(LIBRARY)
 	@mkdir -p $(@D)
 	$(call quiet,CC   $<) $(CC) $(CFLAGS_) -Itests -MMD -MP -o $@ $< $(MODEL_O) $(LIBRARY) $(LIBS) -lcmocka -lstdc++ $(LDFLAGS)
+
+# The program on the model, for the scripts of test-gpu and bench-gpu.
+$(BUILD)/model/sph-render: $(BUILD)/src/main.o $(MODEL_O) $(LIBRARY)
+	$(call quiet,LINK $@) $(CC) $(CFLAGS_) -o $@ $^ $(LIBS) -lstdc++ $(LDFLAGS)
+
+# The same with kernels that ThreadSanitizer watches.
+RACES_CU := $(filter %kernels_cuda.cu %fibers.cpp,$(MODEL_CU))
+RACES_O  := $(patsubst %,$(BUILD)/races/%.o,$(RACES_CU))
+$(BUILD)/races/%.o: % $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call quiet,CXX  $< (races)) g++ $(MODEL_FLAGS) -DMODEL_RACES $(if $(filter %.cu,$<),-fsanitize=thread) \
+	    -MMD -MP -c -o $@ $<
+$(BUILD)/races/sph-render: $(BUILD)/src/main.o $(RACES_O) $(filter-out $(RACES_CU:%=$(BUILD)/model/%.o),$(MODEL_O)) $(LIBRARY)
+	$(call quiet,LINK $@) g++ -fsanitize=thread -fopenmp -o $@ $^ $(LIBS) $(LDFLAGS)
 
 # Detection happens when the Makefile is read, so a make of its own follows the installation.
 parallel  = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(JOBS))
@@ -138,7 +152,7 @@ movie:
 test:
 	@tools/install-deps test
 	@$(MAKE) --no-print-directory $(parallel) run-tests
-run-tests: all $(TESTS_C)
+run-tests: all $(TESTS_C) $(if $(filter 1,$(CUDA)),$(BUILD)/model/sph-render $(BUILD)/races/sph-render)
 	@BUILD=$(BUILD) CC='$(CC)' tests/run
 
 validate: all

@@ -4,7 +4,7 @@
 set -u
 : "${BUILD:=build}" "${OUT:=out/gpu}" "${DEVICE:=cuda}" "${STEPS:=50}" "${FRAMES:=60}" "${PICTURE:=1920x1080}"
 : "${SIZES:=50k:0.011754385964912281 1M:0.00433 10M:0.00201}" "${MILLION:=0.00433}" \
-    "${SEEDS=s0-c1 s0-c2 s0-c3}" "${BUDGET:=10m}"
+    "${SUPPORTS:=2.0 2.6}" "${SEEDS=s0-c1 s0-c2 s0-c3}" "${BUDGET:=10m}"
 mkdir -p "$OUT"
 SPH=$BUILD/sph-render
 summary=$OUT/summary.md
@@ -43,7 +43,7 @@ scene_of() {
 say ""
 say "| steps | on | particles | pairs a particle | ms a step | ns a particle | 10⁹ particle-steps/s | bytes a particle | % of copying | % of multiply-adds |"
 say "|---|---|---|---|---|---|---|---|---|---|"
-for support in 2.0 2.6; do
+for support in $SUPPORTS; do
     for size in $SIZES; do
         spacing=${size#*:} label=${size%%:*}
         for solver in wcsph isph dfsph; do

@@ -11,7 +11,10 @@ export OMP_WAIT_POLICY=passive
 states() {
     backend=$1
     shift
-    [ -z "$SHORT" ] || set -- "$@" --end "$SHORT" --fps 1000
+    case "$SHORT $*" in
+    " "* | *" --at "*) ;;
+    *) set -- "$@" --end "$SHORT" --fps 1000 ;;
+    esac
     "$SPH" -q "$@" --backend "$backend" -o null --report "$work/report.json" 2>"$work/err" || return 1
     jq -r '.frames[] | "\(.time) \(.state)"' "$work/report.json"
 }
@@ -30,6 +33,7 @@ same() {
 clean() {
     tool=$1
     shift
+    [ -z "$SHORT" ] || set -- "$@" --end "$SHORT"
     compute-sanitizer --tool "$tool" --error-exitcode 9 "$SPH" -q "$@" --backend "$DEVICE" --size 160x90 -o hash \
         >"$work/err" 2>&1
     result $? "compute-sanitizer $tool: $1"
@@ -37,7 +41,9 @@ clean() {
 
 "$SPH" list devices | sed 's/^/# /'
 for scene in $SCENES; do
-    same "$scene" "$scene" --at "$(jq -r '[range(11) * .time.end / 200 | tostring] | join(",")' "$scene")"
+    times=$(jq -r --arg short "$SHORT" '(if $short == "" then .time.end / 20 else $short | tonumber end) as $last |
+        [range(11) * $last / 10 | tostring] | join(",")' "$scene")
+    same "$scene" "$scene" --at "$times"
 done
 same "dfsph" scenes/dambreak.json --set 'solver={"method": "dfsph"}' --set particles.spacing=0.035 --end 1.2
 same "explicit dam break" tests/scenes/dam.json
@@ -76,8 +82,9 @@ fi
 frames() {
     renderer=$1
     shift
+    [ -z "$SHORT" ] || set -- "$@" --set particles.spacing=0.1 --fps 1000 --size 160x90
     for backend in cpu "$DEVICE"; do
-        "$SPH" -v scenes/dambreak.json --end 0.1 --backend "$backend" --renderer "$renderer" "$@" -o hash \
+        "$SPH" -v scenes/dambreak.json --end "${SHORT:-0.1}" --backend "$backend" --renderer "$renderer" "$@" -o hash \
             >"$work/frames-$backend" 2>"$work/err" || return 1
     done
     grep -o 'frames are .*' "$work/err" >"$work/how"
@@ -103,9 +110,11 @@ looks "pressure, a log scale in steps" --color pressure --set color.scale=log --
     --set 'color.range=[1, 3000]'
 looks "walls, in the fluid's colour" --color solid --set render.boundary=true --set domain.walls.-y=particles
 looks "cut, and some values" --set 'render.clip_max=[1.2, 1, 0.4]' --set 'render.show_range=[0.02, 9]'
-"$SPH" -q scenes/dambreak.json --at 0.3 --backend "$DEVICE" --renderer cuda -o "$work/cuda.pfm" &&
-    "$SPH" -q scenes/dambreak.json --at 0.3 --backend cpu --renderer cpu -o "$work/cpu.pfm" &&
-    cmp "$work/cuda.pfm" "$work/cpu.pfm"
+# raw BACKEND RENDERER
+raw() {
+    "$SPH" -q scenes/dambreak.json --at "${SHORT:-0.3}" --backend "$1" --renderer "$2" -o "$work/$2.depth.pfm"
+}
+raw "$DEVICE" cuda && raw cpu cpu && cmp "$work/cuda.depth.pfm" "$work/cpu.depth.pfm"
 result $? "a raw image, copied to the host"
 if [ -x "$BUILD/tests/t442_device" ]; then
     "$BUILD/tests/t442_device" >"$work/err" 2>&1

@@ -5,7 +5,7 @@
 worth='.steps >= 400'
 least=10
 compare "dam break" scenes/dambreak.json --set 'solver={"method": "dfsph"}' \
-    --set particles.spacing=0.035 --end 1.6 --fps 15
+    --set particles.spacing=0.05 --end 1.6 --fps 15
 compare "explicit dam break" tests/scenes/dam.json
 compare "two fluids" tests/scenes/two-fluids.json
 compare "two fluids, pressure midway" tests/scenes/two-fluids.json --set solver.pressure_form=average

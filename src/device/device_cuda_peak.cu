@@ -46,7 +46,7 @@ static int peak_blocks(void)
     int index = 0, processors = 1;
     cudaGetDevice(&index);
     cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, index);
-    return 32 * processors;
+    return 16 * processors;
 }
 
 static void run_multiply_adds(struct device *d, void *out)

@@ -94,20 +94,20 @@ template <typename T> static inline T min(T a, T b)
 }
 template <typename T> static inline T atomicAdd(T *at, T x)
 {
-    T old = *at;
-    *at = old + x;
-    return old;
+    return __atomic_fetch_add(at, x, __ATOMIC_RELAXED);
 }
 template <typename T> static inline T atomicMin(T *at, T x)
 {
-    T old = *at;
-    *at = x < old ? x : old;
+    T old = __atomic_load_n(at, __ATOMIC_RELAXED);
+    while (x < old && !__atomic_compare_exchange_n(at, &old, x, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
     return old;
 }
 template <typename T> static inline T atomicMax(T *at, T x)
 {
-    T old = *at;
-    *at = x > old ? x : old;
+    T old = __atomic_load_n(at, __ATOMIC_RELAXED);
+    while (x > old && !__atomic_compare_exchange_n(at, &old, x, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
     return old;
 }
 

@@ -1,5 +1,6 @@
 /* The model of a GPU: threads of a block as fibers that meet (see cuda_runtime.h). */
 #include "model.h"
+#include "races.h"
 
 #include <memory>
 #include <setjmp.h>
@@ -31,6 +32,7 @@ struct fiber {
     ucontext_t context; /* of its first time */
     std::unique_ptr<char[]> stack;
     jmp_buf place;      /* where it left */
+    void *races;        /* ThreadSanitizer's */
     fiber_state state;
     unsigned meetings;  /* of its warp */
     uint64_t value[2];  /* that it brought to the last two */
@@ -45,15 +47,19 @@ static void fiber_leave(fiber_state state)
 {
     const dim3 own = threadIdx;
     fibers[own.x].state = state;
-    if (_setjmp(fibers[own.x].place) == 0)
+    if (_setjmp(fibers[own.x].place) == 0) {
+        races_switch_back();
         _longjmp(scheduler, 1);
+    }
     threadIdx = own;
 }
 
 static void fiber_main()
 {
     for (;;) {
+        races_thread_begin();
         (*body)();
+        races_thread_end();
         fiber_leave(ENDED);
     }
 }
@@ -62,21 +68,27 @@ static void fiber_enter(fiber *f)
 {
     if (_setjmp(scheduler) != 0)
         return;
-    if (f->stack)
+    if (f->stack) {
+        races_switch(f->races);
         _longjmp(f->place, 1);
+    }
     f->stack.reset(new char[STACK]);
+    f->races = races_fiber();
     getcontext(&f->context);
     f->context.uc_stack.ss_sp = f->stack.get();
     f->context.uc_stack.ss_size = STACK;
     f->context.uc_link = NULL;
     makecontext(&f->context, fiber_main, 0);
+    races_switch(f->races);
     setcontext(&f->context);
 }
 
 void model_block_meet()
 {
     model_counts.blocks++;
+    races_come();
     fiber_leave(AT_BLOCK);
+    races_go();
 }
 
 void model_warp_exchange(unsigned mask, const void *own, size_t bytes, uint64_t all[LANES])
@@ -148,6 +160,7 @@ static void block_run(unsigned threads)
 {
     const std::vector<unsigned> order = order_of((threads + LANES - 1) / LANES);
     bool going = true;
+    races_block_begin();
     for (size_t k = 0; k < threads; k++) {
         fibers[k].state = READY;
         fibers[k].meetings = 0;
@@ -174,8 +187,10 @@ void model_launch(dim3 grid, dim3 block, const std::function<void()> &thread)
     body = &thread;
     gridDim = grid;
     blockDim = block;
+    races_kernel_begin();
     for (unsigned b : order_of(grid.x)) {
         blockIdx = dim3(b, 0, 0);
         block_run(block.x);
     }
+    races_kernel_end();
 }

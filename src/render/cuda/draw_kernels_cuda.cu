@@ -1,11 +1,14 @@
 /* The cuda renderer's kernels on a GPU. */
+#include <cuda/atomic>
+
 #include "device/launch.h"
 #include "device/subset.h"
 extern "C" {
 /* Only what is nearer than what a thread finds there: others may have put something nearer since. */
 static __device__ __inline__ void draw_least(uint64_t *least, uint64_t key)
 {
-    if (key < *least)
+    const cuda::atomic_ref<uint64_t, cuda::thread_scope_device> now(*least);
+    if (key < now.load(cuda::memory_order_relaxed))
         atomicMin((unsigned long long *)least, (unsigned long long)key);
 }
 static __device__ __inline__ int draw_lowest(uint32_t bits)
