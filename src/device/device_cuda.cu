@@ -10,6 +10,7 @@
 
 struct device_graph {
     cudaGraphExec_t exec;
+    char name[FAILED_NAME]; /* its first kernel and its last */
 };
 
 cudaStream_t cuda_stream(struct device *d)
@@ -24,7 +25,7 @@ bool cuda_keep(struct device *d, cudaError_t result, const char *what)
 {
     if (result != cudaSuccess && d->failure == cudaSuccess) {
         d->failure = result;
-        d->failed = what;
+        snprintf(d->failed, sizeof d->failed, "%s", what ? what : "a copy");
     }
     return result == cudaSuccess;
 }
@@ -35,7 +36,7 @@ enum status cuda_report(struct device *d, struct error *e)
         return STATUS_OK;
     return error_set(e, STATUS_RUN, "the GPU failed in or before %s: %s (%s); frames up to now are "
                      "kept; use --backend cpu, or set CUDA_LAUNCH_BLOCKING=1 to find the pass",
-                     d->failed ? d->failed : "a copy", cudaGetErrorString(d->failure),
+                     d->failed, cudaGetErrorString(d->failure),
                      cudaGetErrorName(d->failure));
 }
 
@@ -123,7 +124,7 @@ static void *cuda_create(struct device *d, const char *label, size_t bytes, stru
     }
     cudaMemGetInfo(&available, &all);
     error_set(e, STATUS_RUN, "%s take %.4g GB of the GPU's memory, of which %.4g GB are free (%s): use a "
-              "larger particles.spacing or --backend cpu", label, 1e-9 * (double)bytes,
+              "larger particles.spacing, a smaller --size, or --backend cpu", label, 1e-9 * (double)bytes,
               1e-9 * (double)available, cudaGetErrorString(result));
     return NULL;
 }
@@ -193,6 +194,7 @@ static void cuda_launch(struct device *d, const struct kernel *kernel, size_t th
     if (threads == 0)
         return;
     d->last = kernel->name;
+    d->first = d->first ? d->first : kernel->name;
     kernel->run(threads, args, cuda_stream(d));
     cuda_keep(d, cudaGetLastError(), kernel->name);
 }
@@ -243,6 +245,7 @@ static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, s
 static bool cuda_record(struct device *d)
 {
     d->before = d->failure;
+    d->first = NULL;
     bool ok = cudaStreamBeginCapture(cuda_stream(d), cudaStreamCaptureModeRelaxed) == cudaSuccess;
     cudaGetLastError();
     return ok;
@@ -257,8 +260,10 @@ static struct device_graph *cuda_recorded(struct device *d)
               d->failure == d->before && cudaGraphInstantiate(&g->exec, graph, 0) == cudaSuccess;
     if (graph)
         cudaGraphDestroy(graph);
-    if (ok)
+    if (ok) {
+        snprintf(g->name, sizeof g->name, "a kernel from %s to %s", d->first ? d->first : "copies", d->last ? d->last : "copies");
         return g;
+    }
     cudaGetLastError();
     d->failure = d->before;
     free(g);
@@ -267,13 +272,14 @@ static struct device_graph *cuda_recorded(struct device *d)
 
 static void cuda_replay(struct device *d, struct device_graph *graph)
 {
-    cuda_keep(d, cudaGraphLaunch(graph->exec, cuda_stream(d)), "a graph");
-    d->last = "a graph of passes";
+    d->last = graph->name;
+    cuda_keep(d, cudaGraphLaunch(graph->exec, cuda_stream(d)), graph->name);
 }
 
 static void cuda_forget(struct device *d, struct device_graph *graph)
 {
     cudaStreamSynchronize(cuda_stream(d));
+    d->last = d->last == graph->name ? "passes" : d->last;
     cudaGraphExecDestroy(graph->exec);
     free(graph);
 }

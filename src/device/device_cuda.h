@@ -8,14 +8,17 @@ extern "C" {
 #include "device/device.h"
 }
 
+enum { FAILED_NAME = 160 };
+
 struct device {
     int index;
     cudaStream_t stream;
     void *scratch;       /* of sorting and scanning */
     size_t scratch_bytes;
-    const char *last;    /* kernel that was launched last */
+    const char *last;    /* kernel, or graph of them, that was launched last */
+    const char *first;   /* of a recording; NULL: none yet */
     cudaError_t failure; /* the first that was not reported yet */
-    const char *failed;  /* what failed */
+    char failed[FAILED_NAME]; /* what failed */
     cudaError_t before;  /* the failure before a recording began */
 };
 

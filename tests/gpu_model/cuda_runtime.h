@@ -117,7 +117,8 @@ enum cudaError_t {
     cudaErrorInvalidValue,
     cudaErrorMemoryAllocation,
     cudaErrorStreamCaptureUnsupported,
-    cudaErrorNotSupported
+    cudaErrorNotSupported,
+    cudaErrorLaunchFailure
 };
 const char *cudaGetErrorString(cudaError_t);
 const char *cudaGetErrorName(cudaError_t);

@@ -182,6 +182,9 @@ void model_launch(dim3 grid, dim3 block, const std::function<void()> &thread)
 {
     MODEL_LOCK;
     model_counts.kernels++;
+    model_lose();
+    if (model_lost)
+        return;
     model_counts.in_graphs += model_in_graph;
     fiber_count = block.x;
     body = &thread;

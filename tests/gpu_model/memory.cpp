@@ -13,7 +13,37 @@ cudaError_t model_failed(cudaError_t error)
     return error;
 }
 
+/* What the environment says, or the usual. */
+static size_t setting(const char *name, size_t usual)
+{
+    const char *text = getenv(name);
+    return text ? strtoull(text, NULL, 10) : usual;
+}
+static const size_t memory_most = setting("GPU_MODEL_MEMORY", (size_t)1 << 40); /* bytes */
+static const size_t memory_short = setting("GPU_MODEL_SHORT", 0); /* bytes that are free but cannot be had */
+static const long lost_at = (long)setting("GPU_MODEL_LOST", 0);
+
+bool model_lost;
+
+void model_lose()
+{
+    model_lost = model_lost || (lost_at > 0 && model_counts.kernels >= lost_at);
+}
+
+cudaError_t model_state()
+{
+    return model_lost ? model_failed(cudaErrorLaunchFailure) : cudaSuccess;
+}
+
 static std::map<void *, size_t> on_device, pinned;
+
+static size_t allocated()
+{
+    size_t sum = 0;
+    for (const auto &block : on_device)
+        sum += block.second;
+    return sum;
+}
 
 static bool lies_in(const std::map<void *, size_t> &blocks, const void *address, size_t bytes)
 {
@@ -27,6 +57,10 @@ static bool lies_in(const std::map<void *, size_t> &blocks, const void *address,
 static cudaError_t allocate(std::map<void *, size_t> *blocks, void **block, size_t bytes)
 {
     MODEL_LOCK;
+    if (model_lost)
+        return model_state();
+    if (blocks == &on_device && allocated() + bytes + memory_short > memory_most)
+        return model_failed(cudaErrorMemoryAllocation);
     *block = aligned_alloc(256, (bytes + 255) / 256 * 256);
     if (!*block)
         return model_failed(cudaErrorMemoryAllocation);
@@ -46,7 +80,7 @@ static cudaError_t release_block(std::map<void *, size_t> *blocks, void *block)
     memset(block, 0x5a, (*blocks)[block]);
     blocks->erase(block);
     free(block);
-    return cudaSuccess;
+    return model_state();
 }
 
 cudaError_t cudaMalloc(void **block, size_t bytes)
@@ -99,9 +133,7 @@ cudaError_t cudaMemcpyAsync(void *to, const void *from, size_t bytes, cudaMemcpy
 extern "C" struct gpu_model_counts gpu_model_counts(void)
 {
     MODEL_LOCK;
-    model_counts.device_bytes = 0;
-    for (const auto &block : on_device)
-        model_counts.device_bytes += block.second;
+    model_counts.device_bytes = allocated();
     return model_counts;
 }
 
@@ -109,7 +141,7 @@ const char *cudaGetErrorString(cudaError_t error)
 {
     static const char *const words[] = {"no error", "invalid argument", "out of memory",
                                         "operation not permitted when stream is capturing",
-                                        "operation not supported"};
+                                        "operation not supported", "unspecified launch failure"};
     return words[error];
 }
 const char *cudaGetErrorName(cudaError_t error)
@@ -118,7 +150,7 @@ const char *cudaGetErrorName(cudaError_t error)
 }
 cudaError_t cudaGetLastError()
 {
-    cudaError_t error = last_error;
+    cudaError_t error = model_lost ? cudaErrorLaunchFailure : last_error;
     last_error = cudaSuccess;
     return error;
 }
@@ -134,7 +166,7 @@ cudaError_t cudaGetDevice(int *index)
 }
 cudaError_t cudaSetDevice(int index)
 {
-    return index == 0 ? cudaSuccess : model_failed(cudaErrorInvalidValue);
+    return index == 0 ? model_state() : model_failed(cudaErrorInvalidValue);
 }
 cudaError_t cudaGetDeviceProperties(cudaDeviceProp *properties, int)
 {
@@ -150,8 +182,10 @@ cudaError_t cudaDeviceGetAttribute(int *value, cudaDeviceAttr, int)
 }
 cudaError_t cudaMemGetInfo(size_t *available, size_t *all)
 {
-    *available = *all = (size_t)1 << 40;
-    return cudaSuccess;
+    MODEL_LOCK;
+    *available = memory_most - allocated();
+    *all = memory_most;
+    return model_state();
 }
 cudaError_t cudaDriverGetVersion(int *version)
 {

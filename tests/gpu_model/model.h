@@ -16,6 +16,11 @@ extern bool model_in_graph; /* kernels that run are nodes of a graph */
 /* Keeps an error for cudaGetLastError, and returns it. */
 cudaError_t model_failed(cudaError_t error);
 
+/* The GPU is lost with its kernel number GPU_MODEL_LOST: nothing runs any more, and every call fails. */
+extern bool model_lost;
+void model_lose();
+cudaError_t model_state();
+
 /* Runs all that streams have put off. */
 void model_synchronize();
 

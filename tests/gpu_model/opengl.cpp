@@ -50,7 +50,7 @@ cudaError_t cudaGraphicsMapResources(int, cudaGraphicsResource_t *resource, cuda
     auto size = gl_function<void(unsigned, unsigned, int64_t *)>("glGetBufferParameteri64v");
     auto map = gl_function<void *(unsigned, intptr_t, intptr_t, unsigned)>("glMapBufferRange");
     int64_t bytes = 0;
-    if (!bind || (*resource)->mapped)
+    if (!bind || (*resource)->mapped || model_lost)
         return model_failed(cudaErrorInvalidValue);
     bind(GL_COPY_WRITE_BUFFER, (*resource)->buffer);
     size(GL_COPY_WRITE_BUFFER, GL_BUFFER_SIZE, &bytes);

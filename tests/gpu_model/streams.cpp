@@ -28,14 +28,15 @@ cudaError_t model_queue(cudaStream_t stream, std::function<void()> what)
         stream->capture->nodes.push_back(what);
     else
         stream->queue.push_back(what);
-    return cudaSuccess;
+    return model_state();
 }
 
 static void stream_step(model_stream *s)
 {
     std::function<void()> what = s->queue.front();
     s->queue.pop_front();
-    what();
+    if (!model_lost)
+        what();
 }
 
 cudaError_t cudaStreamSynchronize(cudaStream_t s)
@@ -45,7 +46,7 @@ cudaError_t cudaStreamSynchronize(cudaStream_t s)
         return model_failed(cudaErrorStreamCaptureUnsupported);
     while (!s->queue.empty())
         stream_step(s);
-    return cudaSuccess;
+    return model_state();
 }
 
 void model_synchronize()
@@ -103,7 +104,7 @@ cudaError_t cudaEventRecord(cudaEvent_t event, cudaStream_t stream)
 
 static void event_reach(model_event *event, long asked)
 {
-    while (event->done < asked)
+    while (event->done < asked && !model_lost)
         stream_step(event->by);
 }
 
@@ -118,7 +119,7 @@ cudaError_t cudaEventSynchronize(cudaEvent_t event)
 {
     MODEL_LOCK;
     event_reach(event, event->asked);
-    return cudaSuccess;
+    return model_state();
 }
 
 cudaError_t cudaEventElapsedTime(float *ms, cudaEvent_t, cudaEvent_t)
@@ -132,6 +133,8 @@ cudaError_t cudaStreamBeginCapture(cudaStream_t s, cudaStreamCaptureMode)
     MODEL_LOCK;
     if (s->capture)
         return model_failed(cudaErrorStreamCaptureUnsupported);
+    if (model_lost)
+        return model_state();
     s->capture = new model_graph();
     s->capture->owners = 1;
     return cudaSuccess;
