@@ -190,6 +190,21 @@ static void applies_overrides(void **state)
     scene_free(s);
 }
 
+/* Of two keys that exclude each other the override's counts. */
+static void forgets_excluded(void **state)
+{
+    static const char text[] = WITH("\"color\": {\"range\": [3, 5], \"map_file\": \"x\"}");
+    static const char *const items[] = {"color.percentiles=[1, 99]", "color.map=viridis"};
+    static const char *const usual[] = {"color.percentiles=auto", "color.map=auto"};
+    (void)state;
+    struct scene *s = load_set(text, items, 2);
+    assert_true(isnan(s->color.range[0]) && s->color.percentiles[1] == 99 && !s->color.map_file[0]);
+    scene_free(s);
+    s = load_set(text, usual, 2);
+    assert_true(s->color.range[0] == 3 && s->color.map_file[0] == 'x');
+    scene_free(s);
+}
+
 /* Ranges are of the file's quantity, unless an override gives them or chooses the same one. */
 static void forgets_ranges(void **state)
 {
@@ -201,6 +216,10 @@ static void forgets_ranges(void **state)
         assert_true(isnan(s->color.range[0]) == (i < 2) && isnan(s->render.show_range[1]) == (i < 2));
         scene_free(s);
     }
+    static const char *const back[] = {"color.by=pressure", "color.by=velocity"};
+    struct scene *same = load_set(text, back, 2);
+    assert_true(same->color.range[0] == 3);
+    scene_free(same);
     static const char *const ranged[] = {"color.range=[7, 8]", "color.by=pressure", "render.show_range=[0, 1]"};
     struct scene *s = load_set(text, ranged, 3);
     assert_true(s->color.range[0] == 7 && s->render.show_range[1] == 1);
@@ -303,7 +322,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refuses_with_place), cmocka_unit_test(fills_defaults),
         cmocka_unit_test(keeps_options_of_the_chosen), cmocka_unit_test(applies_overrides),
-        cmocka_unit_test(forgets_ranges), cmocka_unit_test(refuses_overrides),
+        cmocka_unit_test(forgets_ranges), cmocka_unit_test(forgets_excluded),
+        cmocka_unit_test(refuses_overrides),
         cmocka_unit_test(round_trips), cmocka_unit_test(schema_knows_options)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -61,7 +61,24 @@ run 0 "$scene: ok" $scene --check
 run 0 "ok" $scene --check --size 640x360 --fps 24 --end 1 --solver muller --color solid --threads 2
 run 0 '"end": 0.5' $scene --write-scene - --end 0.5
 run 0 '"viscosity": 0.25' $scene --write-scene - --set fluids.0.viscosity=0.25
-run 4 "cannot be written" $scene --write-scene "$work/no/such/place.json"
+run 4 "create it first" $scene --write-scene "$work/no/such/place.json"
+cp $scene "$work/in"
+ln "$work/in" "$work/link"
+run 2 "it is the scene, too" "$work/in" -o null --report "$work/in"
+run 2 "it is the scene, too" "$work/in" -o null --report "$work/./link"
+run 2 "it is the scene, too" "$work/in" -o null --reference "$work" --html "$work/in"
+run 2 "it is --report, too" $scene -o "$work/x.png" --at 0 --report "$work/./x.png"
+run 2 "it is --report, too" $scene -o null --write-scene "$work/x.json" --report "$work/x.json"
+run 2 "it is --html, too" $scene -o "$work/x.gif" --html "$work/x.gif" --reference "$work"
+run 2 "no encoder writes" $scene -o "$work/x.xyz" --write-scene "$work/x.json"
+run 2 "no-such" $scene -o null --write-scene "$work/x.json" --reference "$work/no-such"
+run 4 "no regular file" $scene -o null --write-scene "$work"
+rm "$work/in" "$work/link"
+for full in "--help" "--version" "compare --help" "list keys"; do
+    "$SPH" $full >/dev/full 2>"$work/out"
+    [ $? = 4 ] && grep -q "standard output cannot be written" "$work/out"
+    result $? "a full disk under $full"
+done
 run 0 "solver.method" list keys
 run 0 "additionalProperties" list keys --json-schema
 run 0 "wcsph" list solvers

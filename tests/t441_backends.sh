@@ -34,7 +34,7 @@ case $devices in
     refused 2 "give the number of a device after the colon" --backend cuda:
     refused 2 "give the number of a device after the colon" --backend cuda:-1
     refused 2 "give the number of a device after the colon" --backend cuda:one
-    for block in "" x 0 16 100 544 -32 64x; do
+    for block in "" x 0 16 100 544 -32 64x +64 " 64" 64:; do
         refused 2 "give threads of a block after the second colon: 32, 64, ... 512" --backend "cuda:0:$block"
     done
     refused 3 "there is no GPU that CUDA can use" --backend cuda:0:512

@@ -72,6 +72,8 @@ for renderer in egl osmesa; do
     result $? "$renderer: orthographic"
     golden faces --renderer $renderer --set render.box=faces
     result $? "$renderer: faces"
+    golden fading --renderer $renderer --set 'render.background_top=[0.2, 0.3, 0.5]'
+    result $? "$renderer: fading background"
     shadow $renderer
     result $? "$renderer: render.shadow=0.5"
     for style in grid checker; do

@@ -3,6 +3,7 @@
 
 #include "base/log.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,23 +19,27 @@ const struct variant_table backend_table = {
     .count = sizeof rows / sizeof *rows,
 };
 
+/* A whole number that ends at `end`, or -1. */
+static long read_number(const char *text, char end)
+{
+    char *after;
+    long number = isdigit((unsigned char)text[0]) ? strtol(text, &after, 10) : -1;
+    return number >= 0 && *after == end ? number : -1;
+}
+
 /* ":N", ":N:B". */
 static enum status read_device(const char *name, const char *colon, struct backend_place *place, struct error *e)
 {
-    char *end;
-    long number = strtol(colon + 1, &end, 10), block = 0;
+    const char *second = strchr(colon + 1, ':');
+    const long number = read_number(colon + 1, second ? ':' : 0), block = second ? read_number(second + 1, 0) : 0;
     if (!place->row->has_devices)
         return error_set(e, STATUS_USAGE, "--backend %s: it has no devices to choose from; leave out the colon", name);
-    if (end == colon + 1 || (*end && *end != ':') || number < 0 || number > 1023)
+    if (number < 0 || number > 1023)
         return error_set(e, STATUS_USAGE, "--backend %s: give the number of a device after the colon, from 0", name);
-    place->device = (int)number;
-    if (!*end)
-        return STATUS_OK;
-    colon = end;
-    block = strtol(colon + 1, &end, 10);
-    if (end == colon + 1 || *end || block < 32 || block > BLOCK_MAX || block % 32)
+    if (second && (block < 32 || block > BLOCK_MAX || block % 32))
         return error_set(e, STATUS_USAGE, "--backend %s: give threads of a block after the second colon: 32, 64, ... %d",
                          name, BLOCK_MAX);
+    place->device = (int)number;
     place->block = (unsigned)block;
     return STATUS_OK;
 }
@@ -52,7 +57,7 @@ enum status backend_find(const char *name, struct backend_place *place, struct e
     place->row = (const struct backend_row *)variant_find(&backend_table, word);
     if (!place->row)
         return error_set(e, STATUS_USAGE, "--backend %s: there is no such back end; give auto, cpu, "
-                         "cuda, or cuda:N for device N (sph-render list devices)", name);
+                         "cuda, or cuda:N for device N (sph-render list devices), cuda:N:B with B threads a block", name);
     if (place->row->variant.missing)
         return error_set(e, STATUS_BACKEND, "--backend %s: not in this build: %s", name,
                          place->row->variant.missing);

@@ -33,6 +33,23 @@ enum status output_check(const char *path, struct error *e)
     return STATUS_OK;
 }
 
+static bool same_inode(const char *a, const char *b)
+{
+    struct stat one, other;
+    return stat(a, &one) == 0 && stat(b, &other) == 0 && one.st_ino == other.st_ino && one.st_dev == other.st_dev;
+}
+
+bool output_same(const char *a, const char *b)
+{
+    char one[PATH_MAX], other[PATH_MAX];
+    if (strlen(a) >= sizeof one || strlen(b) >= sizeof other)
+        return false;
+    if (same_inode(a, b))
+        return true;
+    bool alike = strcmp(basename(strcpy(one, a)), basename(strcpy(other, b))) == 0;
+    return alike && same_inode(dirname(strcpy(one, a)), dirname(strcpy(other, b)));
+}
+
 enum status output_make_directories(const char *path, struct error *e)
 {
     char copy[PATH_MAX];

@@ -10,6 +10,9 @@
 /* STATUS_OUTPUT unless the directory of `path` can be written, and what has the name is a file. */
 enum status output_check(const char *path, struct error *e);
 
+/* Whether both name one file, or would once it is there. */
+bool output_same(const char *a, const char *b);
+
 /* Makes a directory and those above it, as mkdir -p. STATUS_OUTPUT. */
 enum status output_make_directories(const char *path, struct error *e);
 

@@ -1,6 +1,7 @@
 /* Renderers that draw by OpenGL into an off-screen framebuffer, each in a context of its own. */
 #include "render/canvas.h"
 
+#include "base/log.h"
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/hidden.h"
@@ -45,6 +46,9 @@ static enum status size_check(struct canvas *r, struct error *e)
     r->samples = (int)r->setup.scene->render.samples;
     while (r->samples > 1 && (r->width > most / r->samples || r->height > most / r->samples))
         r->samples--;
+    if (r->samples < r->setup.scene->render.samples)
+        log_info("warning: render.samples is %d, not %d: %s draws up to %d x %d samples; --renderer cpu draws more",
+                 r->samples, (int)r->setup.scene->render.samples, r->name, most, most);
     return STATUS_OK;
 }
 

@@ -41,7 +41,8 @@ struct splat {
     float radius;
     struct look look;
     int planes;                 /* of colour: 3, or 4 with alpha; then colours are times alpha */
-    float back[4], fade[4];     /* background, 0..1, in the upper row of samples; and its change with rows */
+    float back[4], fade[4];     /* background, 0..1, in the middle of the upper row of samples; and its change
+                                 * with rows */
     const struct blend *blends; /* in order */
     size_t blend_count;
     int samples;                /* of a pixel, in x and in y */

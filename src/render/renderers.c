@@ -3,9 +3,7 @@
 
 static const struct variant *const rows[] = {
     &canvas_egl.variant,
-#if HAVE_CUDA
     &canvas_cuda.variant,
-#endif
     &canvas_cpu.variant,
     &canvas_osmesa.variant,
 };

@@ -21,7 +21,7 @@ enum status sampling_open(struct sampling *s, const struct render_setup *setup, 
     const int most = MOST_SAMPLES / s->samples;
     if (size[0] < 1 || size[1] < 1 || size[0] > most || size[1] > most)
         return error_set(e, STATUS_BACKEND, "a picture of %d x %d pixels cannot be drawn: %s draws up to "
-                         "%d x %d; choose another --size", size[0], size[1], renderer, most, most);
+                         "%d x %d with render.samples %d; choose another --size, or fewer samples", size[0], size[1], renderer, most, most, s->samples);
     s->width = size[0] * s->samples;
     s->height = size[1] * s->samples;
     for (int i = 0; i < MAP_SIZE; i++)
@@ -71,8 +71,8 @@ static void background_make(const struct sampling *s, struct splat *splat)
     for (int k = 0; k < 3 && !scene->render.transparent; k++) {
         double low = scene->render.background[k], high = scene->render.background_top[k];
         high = isnan(high) ? low : high;
-        splat->back[k] = (float)high;
         splat->fade[k] = (float)((low - high) / s->height);
+        splat->back[k] = (float)(high + 0.5 * (low - high) / s->height);
     }
 }
 

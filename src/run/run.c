@@ -199,7 +199,7 @@ static enum status film_start(struct session *x, const struct run_options *optio
                                .reference = options->reference};
     if (plan->draws)
         setup.source = frame_source(plan, plan->backend);
-    video_warn(&setup.video, options->outputs, options->output_count);
+    video_warn(scene, &setup.video, options->outputs, options->output_count);
     return film_open(&x->film, &setup, e);
 }
 
@@ -282,7 +282,9 @@ static enum status session_run(struct session *x, const struct run_options *opti
         memory_create("report", (size_t)x->frames.count + 1, sizeof *x->report.frames, e);
     if (!x->report.frames || film_start(x, options, e))
         return e->status;
-    if (simulation_open(&x->simulation, &x->plan, options, e)) {
+    /* once nothing of what was asked for is refused */
+    if ((options->write_scene && scene_save(x->plan.scene, &run_vocabulary, options->write_scene, e)) ||
+        simulation_open(&x->simulation, &x->plan, options, e)) {
         film_close(x->film, false, NULL, &closing);
         return e->status;
     }

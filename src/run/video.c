@@ -33,6 +33,10 @@ static bool formats(const struct encoder_row *row)
 {
     return row->container && row->container->formats;
 }
+static bool is_film(const struct encoder_row *row)
+{
+    return row->container;
+}
 static bool is_drawn(const struct encoder_row *row)
 {
     return row->wants_pixels && row->extensions[0][0] == '.';
@@ -49,7 +53,7 @@ static void names_of(bool (*heeds)(const struct encoder_row *), char *text, size
                                      encode_table.rows[i]->name);
 }
 
-void video_warn(const struct encode_video *video, const char *const *outputs, size_t count)
+void video_warn(const struct scene *scene, const struct encode_video *video, const char *const *outputs, size_t count)
 {
     const struct {
         const char *key, *value;
@@ -59,6 +63,8 @@ void video_warn(const struct encode_video *video, const char *const *outputs, si
                 {"options", video->options, chooses},
                 {"pixel_format", video->pixel_format, formats}};
     char names[80];
+    if (scene->render.transparent && encode_any(outputs, count, is_film))
+        log_info("warning: films have no alpha: with render.transparent their background is black");
     if (!encode_any(outputs, count, is_drawn))
         return;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

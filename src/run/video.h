@@ -10,7 +10,7 @@ enum { VIDEO_NUMBER = 32 }; /* room for movie.crf as text */
 /* Points into the scene and `crf`. */
 struct encode_video video_of_scene(const struct scene *scene, char crf[VIDEO_NUMBER]);
 
-/* Says which of these keys no output heeds, if outputs are pictures or films at all. */
-void video_warn(const struct encode_video *video, const char *const *outputs, size_t count);
+/* Says which of these keys no output heeds, if outputs are pictures or films at all; and that films have no alpha. */
+void video_warn(const struct scene *scene, const struct encode_video *video, const char *const *outputs, size_t count);
 
 #endif

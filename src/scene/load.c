@@ -273,8 +273,8 @@ enum status scene_load(struct scene **scene, const char *path, const struct scen
         status = json_read_file(&load.file, path, e);
     if (!status)
         status = say_file(&load);
-    for (size_t i = 0; i < load.set_count && !status; i++)
-        status = say_override(&load, set, i);
+    if (!status)
+        status = say_overrides(&load, set);
     if (!status) {
         snprintf(load.scene->source, sizeof load.scene->source, "%s", path);
         status = load_fill(&load);

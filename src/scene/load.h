@@ -31,8 +31,8 @@ struct load {
 /* Notes where each key of the object is said. Unknown and duplicate keys are STATUS_USAGE. */
 enum status say_file(struct load *load);
 
-/* Notes override number i, said after the file. */
-enum status say_override(struct load *load, const struct scene_overrides *set, size_t i);
+/* Notes the overrides, said after the file; what they leave no sense to in the file is forgotten. */
+enum status say_overrides(struct load *load, const struct scene_overrides *set);
 
 /* Records "PLACE: message"; the beginning of the file when the place is not said. STATUS_USAGE. */
 enum status load_fail(struct load *load, struct place place, const char *format, ...)

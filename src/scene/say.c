@@ -283,26 +283,52 @@ static void word_now(const struct load *load, size_t row, char word[KEY_TEXT_SIZ
         sscanf(load->keys.items[row].key->fallback, "\"%127[^\"]", word);
 }
 
+static void forget(struct load *load, size_t row)
+{
+    if (load->said[row].doc == &load->file)
+        load->said[row] = (struct place){0};
+}
+
 /* Ranges of one quantity are not those of another: forgets what the file says in the unit of color.by. */
 static void forget_ranges(struct load *load)
 {
     for (size_t i = 0; i < load->keys.count; i++)
-        if (strcmp(load->keys.items[i].key->unit, "of color.by") == 0 && load->said[i].doc == &load->file)
-            load->said[i] = (struct place){0};
+        if (strcmp(load->keys.items[i].key->unit, "of color.by") == 0)
+            forget(load, i);
 }
 
-enum status say_override(struct load *load, const struct scene_overrides *set, size_t i)
+/* Of two keys that exclude each other, an override's replaces the file's, unless it says only the usual. */
+static void forget_excluded(struct load *load)
+{
+    static const char *const pairs[][2] = {{"color.range", "color.percentiles"}, {"color.map", "color.map_file"}};
+    for (size_t k = 0; k < 2 * sizeof pairs / sizeof *pairs; k++) {
+        const size_t said = key_list_find(&load->keys, pairs[k / 2][k % 2]);
+        const struct place place = load->said[said];
+        char word[KEY_TEXT_SIZE] = "-";
+        if (!place.doc || place.doc == &load->file)
+            continue;
+        json_string(place.doc, place.node, word, sizeof word);
+        if (word[0] && strcmp(word, "auto") != 0)
+            forget(load, key_list_find(&load->keys, pairs[k / 2][1 - k % 2]));
+    }
+}
+
+enum status say_overrides(struct load *load, const struct scene_overrides *set)
 {
     const size_t by = key_list_find(&load->keys, "color.by");
     char label[512], before[KEY_TEXT_SIZE] = "", after[KEY_TEXT_SIZE] = "";
-    if (set->labels && set->labels[i])
-        snprintf(label, sizeof label, "%s", set->labels[i]);
-    else
-        snprintf(label, sizeof label, "--set %s", set->items[i]);
     word_now(load, by, before);
-    enum status status = say_set(load, &load->sets[i], set->items[i], label);
+    for (size_t i = 0; i < load->set_count; i++) {
+        if (set->labels && set->labels[i])
+            snprintf(label, sizeof label, "%s", set->labels[i]);
+        else
+            snprintf(label, sizeof label, "--set %s", set->items[i]);
+        if (say_set(load, &load->sets[i], set->items[i], label))
+            return load->e->status;
+    }
     word_now(load, by, after);
     if (strcmp(before, after) != 0)
         forget_ranges(load);
-    return status;
+    forget_excluded(load);
+    return STATUS_OK;
 }

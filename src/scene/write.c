@@ -1,11 +1,11 @@
 /* Writes the scene in force: every key with its value, as a file that loads to the same scene. */
 #include "base/fnv.h"
+#include "base/output.h"
 #include "scene/value.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 struct writer {
     const struct scene *scene;
@@ -158,36 +158,17 @@ uint64_t scene_hash(const struct scene *scene, const struct vocabulary *vocabula
     return hash;
 }
 
-static enum status save_error(const char *path, struct error *e)
-{
-    return error_set(e, STATUS_OUTPUT, "%s: cannot be written: %s", path, strerror(errno));
-}
-
 enum status scene_save(const struct scene *scene, const struct vocabulary *vocabulary,
                        const char *path, struct error *e)
 {
+    struct output_file file;
     if (strcmp(path, "-") == 0) {
         scene_write(scene, vocabulary, stdout);
-        return fflush(stdout) ? save_error("standard output", e) : STATUS_OK;
+        return fflush(stdout) ? error_set(e, STATUS_OUTPUT, "standard output cannot be written: %s", strerror(errno))
+                              : STATUS_OK;
     }
-    size_t size = strlen(path) + 8;
-    char *part = malloc(size);
-    if (!part)
-        return error_set(e, STATUS_RUN, "memory is short");
-    snprintf(part, size, "%s.part", path);
-    enum status status = STATUS_OK;
-    FILE *out = fopen(part, "w");
-    if (!out) {
-        status = save_error(path, e);
-        goto end;
-    }
-    scene_write(scene, vocabulary, out);
-    bool written = fflush(out) == 0 && fsync(fileno(out)) == 0;
-    if ((fclose(out) != 0 || !written || rename(part, path) != 0)) {
-        status = save_error(path, e);
-        remove(part);
-    }
-end:
-    free(part);
-    return status;
+    if (output_open(&file, path, e))
+        return e->status;
+    scene_write(scene, vocabulary, file.stream);
+    return output_close(&file, true, e);
 }

@@ -1,6 +1,7 @@
 /* Chooses between a sub-command and a film, and runs it. */
 #include "tools/cli.h"
 #include "base/log.h"
+#include "base/output.h"
 #include "base/suggest.h"
 #include "render/camera.h"
 #include "tools/tools.h"
@@ -9,6 +10,7 @@
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -54,6 +56,26 @@ static enum status check_pipe(const struct cli *cli, struct error *e)
                                       "name a file for one", other) : STATUS_OK;
 }
 
+/* What is written must not replace the scene, or what else is written. */
+static enum status check_files(const struct cli *cli, struct error *e)
+{
+    const size_t count = cli->run.output_count;
+    const struct { const char *option, *path; } others[] = {
+        {"the scene", cli->scene}, {"--report", cli->run.report}, {"--write-scene", cli->run.write_scene},
+        {"--html", cli->reference.page}};
+    const size_t other_count = sizeof others / sizeof *others;
+    for (size_t i = 1; i < other_count + count; i++) {
+        const bool output = i >= other_count;
+        const char *option = output ? "-o" : others[i].option;
+        const char *path = output ? cli->outputs[i - other_count] : others[i].path;
+        for (size_t k = 0; path && k < i && k < other_count; k++)
+            if (others[k].path && strcmp(path, "-") != 0 && output_same(path, others[k].path))
+                return error_set(e, STATUS_USAGE, "%s %s: it is %s, too; choose another name", option, path,
+                                 others[k].option);
+    }
+    return STATUS_OK;
+}
+
 static enum status check_outputs(const struct cli *cli, struct error *e)
 {
     for (size_t i = 0; i < cli->run.output_count; i++) {
@@ -63,6 +85,8 @@ static enum status check_outputs(const struct cli *cli, struct error *e)
             if (strcmp(cli->outputs[i], cli->outputs[j]) == 0)
                 return error_set(e, STATUS_USAGE, "-o %s is given twice", cli->outputs[i]);
     }
+    if (check_files(cli, e))
+        return e->status;
     if (cli->run.output_count || cli->check || cli->plan || cli->run.report ||
         cli->run.write_scene || cli->print_camera)
         return STATUS_OK;
@@ -85,22 +109,15 @@ static enum status film(const struct cli *cli, const struct scene *scene, struct
     if (last > scene->time.end)
         return error_set(e, STATUS_USAGE, "--at %g is after the end of the scene at %g s; add "
                          "--end %g", last, scene->time.end, last);
-    if (cli->run.write_scene) {
-        enum status status = scene_save(scene, &run_vocabulary, cli->run.write_scene, e);
-        if (status)
-            return status;
-    }
     if (cli->print_camera)
         print_camera(cli, scene);
     if (run)
         return run_scene(scene, &cli->run, e);
-    if (cli->plan)
-        return run_plan(scene, &cli->run, stdout, e);
-    if (cli->check && run_check(scene, &cli->run, e))
+    if (cli->plan ? run_plan(scene, &cli->run, stdout, e) : cli->check ? run_check(scene, &cli->run, e) : STATUS_OK)
         return e->status;
-    if (cli->check && !cli->quiet)
+    if (cli->check && !cli->plan && !cli->quiet)
         printf("%s: ok\n", cli->scene);
-    return STATUS_OK;
+    return cli->run.write_scene ? scene_save(scene, &run_vocabulary, cli->run.write_scene, e) : STATUS_OK;
 }
 
 static enum status film_main(int argc, char **argv, struct error *e)
@@ -125,16 +142,14 @@ static enum status film_main(int argc, char **argv, struct error *e)
     return status;
 }
 
-/* What was printed may not have arrived, on a full disk for example. */
-static int check_printed(int code)
+/* At exit, wherever that is: what was printed may not have arrived, on a full disk for example. */
+static void check_printed(void)
 {
     errno = 0;
     if (fflush(stdout) == 0 && !ferror(stdout))
-        return code;
-    if (code == STATUS_OK)
-        log_error("standard output cannot be written%s%s", errno ? ": " : "",
-                  errno ? strerror(errno) : "");
-    return code == STATUS_OK ? STATUS_OUTPUT : code;
+        return;
+    log_error("standard output cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "");
+    _exit(STATUS_OUTPUT);
 }
 
 int cli_main(int argc, char **argv)
@@ -142,12 +157,13 @@ int cli_main(int argc, char **argv)
     struct error e = {.status = STATUS_OK};
     argp_err_exit_status = STATUS_USAGE;
     argp_program_version_hook = print_version;
+    atexit(check_printed);
     signal(SIGXFSZ, SIG_IGN); /* a file over `ulimit -f' is an error like a full disk */
     const struct variant *row = argc > 1 ? variant_find(&tool_table, argv[1]) : NULL;
     if (row)
-        return check_printed(((const struct tool *)row)->run(argc - 1, argv + 1));
+        return ((const struct tool *)row)->run(argc - 1, argv + 1);
     enum status status = film_main(argc, argv, &e);
     if (status && status != STATUS_INTERRUPTED)
         log_error("%s", e.text);
-    return check_printed(status);
+    return (int)status;
 }

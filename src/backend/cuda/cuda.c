@@ -205,7 +205,10 @@ enum status cuda_open_on(const struct device_row *row, const struct kernel *kern
     }
     particles_free(particles);
     particles_free(walls);
-    snprintf(b->text, sizeof b->text, "cuda (%s)", info.name);
+    char block[32] = "";
+    if (b->block)
+        snprintf(block, sizeof block, ", %u threads a block", b->block);
+    snprintf(b->text, sizeof b->text, "cuda (%s%s)", info.name, block);
     *out = b;
     return STATUS_OK;
 }
