@@ -152,7 +152,10 @@ movie:
 test:
 	@tools/install-deps test
 	@$(MAKE) --no-print-directory $(parallel) run-tests
-run-tests: all $(TESTS_C) $(if $(filter 1,$(CUDA)),$(BUILD)/model/sph-render $(BUILD)/races/sph-render)
+# ThreadSanitizer's program is gcc's; without CUDA an earlier build's are not to be tested.
+MODEL_PROGRAMS := $(if $(filter 1,$(CUDA)),$(BUILD)/model/sph-render $(if $(findstring clang,$(CC)),,$(BUILD)/races/sph-render))
+run-tests: all $(TESTS_C) $(MODEL_PROGRAMS)
+	@rm -f $(filter-out $(MODEL_PROGRAMS),$(BUILD)/model/sph-render $(BUILD)/races/sph-render)
 	@BUILD=$(BUILD) CC='$(CC)' tests/run
 
 validate: all

@@ -11,7 +11,7 @@ summary=$OUT/summary.md
 say() { echo "$*" | tee -a "$summary"; }
 : >"$summary"
 "$SPH" list devices | tee "$OUT/devices.txt"
-say "Measured $(date +%F) by $("$SPH" --version): $(sed -n 's/^ *cuda:0 *//p' "$OUT/devices.txt")"
+say "Measured $(date +%F) by $("$SPH" --version): $(sed -n "s/^ *\(cuda:[0-9]* .*\)/\1/p" "$OUT/devices.txt" | sed -n "/^$(echo "$DEVICE" | sed 's/^cuda$/cuda:0/') /p")"
 
 # bench NAME BACKEND ARGUMENTS...: leaves OUT/NAME-BACKEND.json
 bench() {

@@ -61,7 +61,10 @@ same "isph, wall particles" tests/scenes/projection-wall-particles.json
 same "isph, enclosed" tests/scenes/projection-vortices.json
 whole=$DEVICE
 for block in 32 512; do
-    DEVICE=$whole:0:$block
+    case $whole in
+    *:*) DEVICE=$whole:$block ;;
+    *) DEVICE=$whole:0:$block ;;
+    esac
     same "$block threads a block" tests/scenes/dam.json
 done
 DEVICE=$whole

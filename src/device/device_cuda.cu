@@ -145,6 +145,11 @@ static void *cuda_pin(struct device *d, size_t bytes, struct error *e)
         return block;
     }
     cudaGetLastError();
+    if (result != cudaErrorMemoryAllocation) {
+        cuda_keep(d, result, d->last);
+        cuda_report(d, e);
+        return NULL;
+    }
     error_set(e, STATUS_RUN, "%.4g GB of memory that the GPU can copy to cannot be had: %s",
               1e-9 * (double)bytes, cudaGetErrorString(result));
     return NULL;
@@ -245,7 +250,7 @@ static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, s
 static bool cuda_record(struct device *d)
 {
     d->before = d->failure;
-    d->first = NULL;
+    d->first = d->last = NULL;
     bool ok = cudaStreamBeginCapture(cuda_stream(d), cudaStreamCaptureModeRelaxed) == cudaSuccess;
     cudaGetLastError();
     return ok;

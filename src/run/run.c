@@ -282,10 +282,12 @@ static enum status session_run(struct session *x, const struct run_options *opti
         memory_create("report", (size_t)x->frames.count + 1, sizeof *x->report.frames, e);
     if (!x->report.frames || film_start(x, options, e))
         return e->status;
-    /* once nothing of what was asked for is refused */
-    if ((options->write_scene && scene_save(x->plan.scene, &run_vocabulary, options->write_scene, e)) ||
-        simulation_open(&x->simulation, &x->plan, options, e)) {
+    bool open = simulation_open(&x->simulation, &x->plan, options, e) == STATUS_OK;
+    /* the scene once nothing of what was asked for is refused */
+    if (!open || (options->write_scene && scene_save(x->plan.scene, &run_vocabulary, options->write_scene, e))) {
         film_close(x->film, false, NULL, &closing);
+        if (open)
+            simulation_close(&x->simulation);
         return e->status;
     }
     say_choices(x);

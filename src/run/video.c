@@ -63,8 +63,9 @@ void video_warn(const struct scene *scene, const struct encode_video *video, con
                 {"options", video->options, chooses},
                 {"pixel_format", video->pixel_format, formats}};
     char names[80];
-    if (scene->render.transparent && encode_any(outputs, count, is_film))
-        log_info("warning: films have no alpha: with render.transparent their background is black");
+    if (scene->render.transparent && !video->pixel_format && encode_any(outputs, count, is_film))
+        log_info("warning: the film has no alpha, so that render.transparent makes its background black; movie.pixel_format "
+                 "yuva420p (webm, vp9) or bgra (mkv, ffv1) has some");
     if (!encode_any(outputs, count, is_drawn))
         return;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "base/output.h"
 #include "base/suggest.h"
+#include "encode/encode.h"
 #include "render/camera.h"
 #include "tools/tools.h"
 
@@ -68,8 +69,12 @@ static enum status check_files(const struct cli *cli, struct error *e)
         const bool output = i >= other_count;
         const char *option = output ? "-o" : others[i].option;
         const char *path = output ? cli->outputs[i - other_count] : others[i].path;
-        for (size_t k = 0; path && k < i && k < other_count; k++)
-            if (others[k].path && strcmp(path, "-") != 0 && output_same(path, others[k].path))
+        struct error ignored;
+        const struct encoder_row *row = output ? encode_find(path, &ignored) : NULL;
+        if (!path || strcmp(path, "-") == 0 || (row && !encode_is_file(row, path)))
+            continue;
+        for (size_t k = 0; k < i && k < other_count; k++)
+            if (others[k].path && output_same(path, others[k].path))
                 return error_set(e, STATUS_USAGE, "%s %s: it is %s, too; choose another name", option, path,
                                  others[k].option);
     }
@@ -142,11 +147,13 @@ static enum status film_main(int argc, char **argv, struct error *e)
     return status;
 }
 
+static int exit_code; /* that the program would end with; 0 where argp ends it after --help */
+
 /* At exit, wherever that is: what was printed may not have arrived, on a full disk for example. */
 static void check_printed(void)
 {
     errno = 0;
-    if (fflush(stdout) == 0 && !ferror(stdout))
+    if ((fflush(stdout) == 0 && !ferror(stdout)) || exit_code != STATUS_OK)
         return;
     log_error("standard output cannot be written%s%s", errno ? ": " : "", errno ? strerror(errno) : "");
     _exit(STATUS_OUTPUT);
@@ -161,9 +168,9 @@ int cli_main(int argc, char **argv)
     signal(SIGXFSZ, SIG_IGN); /* a file over `ulimit -f' is an error like a full disk */
     const struct variant *row = argc > 1 ? variant_find(&tool_table, argv[1]) : NULL;
     if (row)
-        return ((const struct tool *)row)->run(argc - 1, argv + 1);
+        return exit_code = ((const struct tool *)row)->run(argc - 1, argv + 1);
     enum status status = film_main(argc, argv, &e);
     if (status && status != STATUS_INTERRUPTED)
         log_error("%s", e.text);
-    return (int)status;
+    return exit_code = (int)status;
 }

@@ -127,10 +127,6 @@ static int list_main(int argc, char **argv)
         status = print_one(list.what);
     else
         print_all();
-    if (!status && fflush(stdout)) {
-        log_error("list: standard output cannot be written");
-        status = STATUS_OUTPUT;
-    }
     return status;
 }
 

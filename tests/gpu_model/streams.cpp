@@ -178,7 +178,8 @@ static void graph_run(const model_graph *graph)
 {
     model_in_graph = true;
     for (const std::function<void()> &node : graph->nodes)
-        node();
+        if (!model_lost)
+            node();
     model_in_graph = false;
 }
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #define NAME "cuda"
-#define DOC "a GPU of NVIDIA: --backend cuda, or cuda:N for device N"
+#define DOC "a GPU of NVIDIA: --backend cuda, or cuda:N for device N, cuda:N:B with B threads a block"
 
 #if HAVE_CUDA
 static enum status open_cuda(struct backend **out, const struct backend_setup *setup,
