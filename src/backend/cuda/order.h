@@ -55,33 +55,44 @@ static inline int order_ranges(const struct order_work *w, size_t i, struct rang
     return 1;
 }
 
-/* The square of the distance of two points, in smoothing lengths. */
-static inline float order_q2(const struct order_work *w, const struct position *point, size_t j)
+/* The candidate that point i is itself; none has the number UINT32_MAX. */
+static inline uint32_t order_own(const struct order_work *w, size_t i)
+{
+    return w->same ? (uint32_t)i : UINT32_MAX;
+}
+
+/* The square of the distance of two points, in smoothing lengths; far from itself. */
+static inline float order_q2(const struct order_work *w, const struct position *point, uint32_t own, uint32_t j)
 {
     alignas(16) struct position other;
     order_move(&other, &w->candidates[j]);
-    return near_q2(point->count, other.count, w->scale);
+    float q2 = near_q2(point->count, other.count, w->scale);
+    return j == own ? INFINITY : q2;
 }
 
-/* Counts the neighbours of point i, and pairs that share a place. */
+/* Counts the neighbours of point i, and says whether one shares its place. */
 static inline void order_row_counts(const struct order_work *w, size_t i)
 {
     struct range range[RANGES_MAX];
-    int ranges = order_ranges(w, i, range);
-    uint32_t count = 0, coincident = 0;
+    const int ranges = order_ranges(w, i, range);
+    const uint32_t own = order_own(w, i);
+    const float limit = w->limit;
+    float nearest = limit;
+    uint32_t count = 0;
     alignas(16) struct position point;
     order_move(&point, &w->points[i]);
-    for (int r = 0; r < ranges; r++)
-        for (uint32_t j = range[r].first; j < range[r].last; j++) {
-            float q2 = order_q2(w, &point, j);
-            bool other = !w->same || j != i;
-            count += q2 < w->limit && other;
-            coincident += q2 < w->coincident && other;
+    for (int r = 0; r < ranges; r++) {
+        const struct range some = range[r];
+        for (uint32_t j = some.first; j < some.last; j++) {
+            float q2 = order_q2(w, &point, own, j);
+            count += q2 < limit;
+            nearest = q2 < nearest ? q2 : nearest;
         }
+    }
     w->count[i] = count;
     order_add64(&w->facts->entries, count);
-    if (coincident)
-        order_add(&w->facts->coincident, coincident);
+    if (nearest < w->coincident)
+        order_add(&w->facts->coincident, 1);
 }
 
 /* The longest row of block i. */
@@ -99,18 +110,20 @@ static inline void order_rows(const struct order_work *w, size_t i)
     const size_t b = i / PARTICLE_BLOCK, lane = i % PARTICLE_BLOCK;
     const size_t first = (size_t)w->length[b] * PARTICLE_BLOCK;
     struct range range[RANGES_MAX];
-    int ranges = order_ranges(w, i, range);
+    const int ranges = order_ranges(w, i, range);
+    const uint32_t own = order_own(w, i);
+    const float limit = w->limit;
     uint32_t *out = w->index + first + lane;
     alignas(16) struct position point;
     order_move(&point, &w->points[i]);
-    for (int r = 0; r < ranges; r++)
-        for (uint32_t j = range[r].first; j < range[r].last; j++) {
-            float q2 = order_q2(w, &point, j);
-            if (!(q2 < w->limit) || (w->same && j == i))
-                continue;
-            *out = 2 * j;
-            out += PARTICLE_BLOCK;
-        }
+    for (int r = 0; r < ranges; r++) {
+        const struct range some = range[r];
+        for (uint32_t j = some.first; j < some.last; j++)
+            if (order_q2(w, &point, own, j) < limit) {
+                *out = 2 * j;
+                out += PARTICLE_BLOCK;
+            }
+    }
     if (lane == 0) {
         w->block[b].index = w->index + first;
         w->block[b].weight = w->weight ? w->weight + first : NULL;

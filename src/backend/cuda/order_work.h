@@ -9,7 +9,7 @@
 /* What row builds find besides. */
 struct row_facts {
     uint64_t entries;
-    uint32_t coincident; /* pairs that share a place */
+    uint32_t coincident; /* points that share a place with another */
     uint32_t total;      /* entries of the longest rows of all blocks, of 16 each */
 };
 
