@@ -56,7 +56,7 @@ compare() {
     done
     for isa in $isas; do
         case $own in *"($isa,"*) continue ;; esac # the first states are its
-        same "with --isa $isa" "$SPH" "$@" --threads 1 --isa "$isa"
+        same "with --isa $isa" "$SPH" "$@" --threads 2 --isa "$isa"
     done
     same "with all-pairs" "$SPH" "$@" --threads 2 --set neighbours=all-pairs
     [ -n "$second" ] || return
