@@ -306,7 +306,7 @@ static enum status raw_read(struct canvas *c, const struct render_frame *frame, 
     return STATUS_OK;
 }
 
-/* By way of pinned memory, which a GPU writes several times as fast. */
+/* By way of pinned memory, which the driver copies to directly. */
 static enum status picture_read(struct canvas *c, struct image *image, struct error *e)
 {
     const size_t row = (size_t)image->width * PIXEL;
