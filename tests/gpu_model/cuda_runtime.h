@@ -68,6 +68,10 @@ static inline unsigned __ballot_sync(unsigned mask, bool own)
     return bits;
 }
 
+static inline int __popc(unsigned x)
+{
+    return __builtin_popcount(x);
+}
 static inline int __ffs(int x)
 {
     return __builtin_ffs(x);

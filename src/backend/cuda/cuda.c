@@ -57,6 +57,7 @@ void cuda_close(struct backend *b)
                                 b->sorting.values,
                                 b->sorting.order,
                                 b->sorting.spare,
+                                b->sorting.hits,
                                 b->arrays.number,
                                 b->arrays.inverse_density,
                                 b->arrays.fluid,
@@ -89,6 +90,7 @@ static double bytes_needed(const struct backend *b, const struct particles *p,
     const struct solver_choice *c = &b->choice;
     /* keys, values, a spare field, and as much again for the sort itself */
     double sorting = 2 * (2 * sizeof(uint64_t) + 2 * sizeof(uint32_t)) + sizeof(struct position);
+    double hits = sizeof(uint32_t) * cuda_hit_words(c);
     double cells = 8 * sizeof(uint32_t), fields = 0, wall_fields = 0;
     double row = 1.125 * solver_row_bytes(c) * kernel_lattice_neighbours(c->support / c->spacing);
     for (int f = 0; f < FIELD_COUNT; f++) {
@@ -96,7 +98,7 @@ static double bytes_needed(const struct backend *b, const struct particles *p,
         fields += (p->now[f] ? size : 0) + (p->before[f] ? size : 0);
         wall_fields += (wall->now[f] ? size : 0) + (wall->before[f] ? size : 0);
     }
-    return (fields + sorting + cells + row) * (double)p->count +
+    return (fields + sorting + hits + cells + row) * (double)p->count +
            (wall_fields + sorting + cells) * (double)wall->count;
 }
 
@@ -123,7 +125,10 @@ static enum status allocate_sorting(struct backend *b, struct error *e)
     s->values = cuda_array(b, "sort", most, sizeof *s->values, e);
     s->order = cuda_array(b, "sort", most, sizeof *s->order, e);
     s->spare = cuda_array(b, "sort", most, sizeof(struct position), e);
-    return s->keys && s->sorted_keys && s->values && s->order && s->spare ? STATUS_OK : e->status;
+    s->hit_words = cuda_hit_words(&b->choice);
+    s->hits = cuda_array(b, "neighbour rows", most, s->hit_words * sizeof *s->hits, e);
+    return s->keys && s->sorted_keys && s->values && s->order && s->spare && s->hits ? STATUS_OK
+                                                                                     : e->status;
 }
 
 static enum status allocate_arrays(struct backend *b, struct error *e)

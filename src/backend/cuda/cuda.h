@@ -18,11 +18,13 @@ struct device_rows {
     bool coincident; /* two particles share a place */
 };
 
-/* Arrays that a sort needs, for so many particles. */
+/* Arrays that sorts and row builds need, for so many particles. */
 struct device_sorting {
     uint64_t *keys, *sorted_keys;
     uint32_t *values, *order;
     void *spare; /* one field's worth */
+    uint32_t *hits;
+    uint32_t hit_words; /* struct order_work */
 };
 
 /* A pass that waits to be run, and where it stands. */
@@ -85,6 +87,9 @@ enum status cuda_upload(struct backend *b, void *to, const void *from, size_t by
 /* Sorts particles for rows of radius `radius` (m). */
 enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cells, double radius,
                       struct error *e);
+
+/* Words that note which candidates of a particle are its neighbours, on the lattice and some more. */
+uint32_t cuda_hit_words(const struct solver_choice *choice);
 
 enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points,
                              bool weighted, struct error *e);

@@ -13,6 +13,14 @@ static inline void order_add64(uint64_t *sum, uint64_t x)
 {
     *sum += x;
 }
+static inline uint32_t order_bits(uint32_t word)
+{
+    return (uint32_t)__builtin_popcount(word);
+}
+static inline uint32_t order_lowest(uint32_t word)
+{
+    return (uint32_t)__builtin_ctz(word);
+}
 static inline void order_move(void *to, const void *from)
 {
     memcpy(to, from, 16);

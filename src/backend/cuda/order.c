@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "solver/part.h"
 
+#include <math.h>
 #include <string.h>
 
 void *cuda_array(struct backend *b, const char *label, size_t count, size_t size, struct error *e)
@@ -83,6 +84,14 @@ enum status cuda_sort(struct backend *b, struct particles *p, struct cells *cell
     return STATUS_OK;
 }
 
+/* A range is three cells, which are as wide as the support and some more. */
+uint32_t cuda_hit_words(const struct solver_choice *choice)
+{
+    enum { RANGES = 9, WORD = 32 };
+    double range = 3 * pow(1.1 * choice->support / choice->spacing, 3);
+    return RANGES * (1 + (uint32_t)(range / WORD));
+}
+
 enum status cuda_rows_create(struct backend *b, struct device_rows *rows, size_t points,
                              bool weighted, struct error *e)
 {
@@ -145,6 +154,8 @@ enum status cuda_rows_build(struct backend *b, struct device_rows *rows,
                            .coincident =
                                same ? part_near2(b->choice.spacing, b->choice.smoothing_length) : 0,
                            .count = rows->count,
+                           .hits = b->sorting.hits,
+                           .hit_words = b->sorting.hit_words,
                            .length = rows->length,
                            .block = rows->block,
                            .facts = rows->facts};

@@ -1,6 +1,6 @@
 /* Sorting and neighbour rows: what their kernels do for thread i. In the common subset of C and CUDA; the
- * includer says how threads add to a number that they share (order_add, order_add64), and how 16 bytes are
- * moved (order_move). */
+ * includer says how threads add to a number that they share (order_add, order_add64), how 16 bytes are
+ * moved (order_move), how many bits of a word are set and which is the lowest (order_bits, order_lowest). */
 #ifndef BACKEND_CUDA_ORDER_H
 #define BACKEND_CUDA_ORDER_H
 
@@ -61,34 +61,57 @@ static inline uint32_t order_own(const struct order_work *w, size_t i)
     return w->same ? (uint32_t)i : UINT32_MAX;
 }
 
-/* The square of the distance of two points, in smoothing lengths; far from itself. */
-static inline float order_q2(const struct order_work *w, const struct position *point, uint32_t own, uint32_t j)
+/* The next candidates of a range, at most 32 and never the point itself; the rest stays in *left. */
+static inline struct range order_some(uint32_t own, struct range *left)
 {
-    alignas(16) struct position other;
-    order_move(&other, &w->candidates[j]);
-    float q2 = near_q2(point->count, other.count, w->scale);
-    return j == own ? INFINITY : q2;
+    struct range some = *left;
+    some.last = some.last - some.first > 32 ? some.first + 32 : some.last;
+    left->first = some.last;
+    if (own - some.first < some.last - some.first) {
+        some.last = own;
+        left->first = own + 1;
+    }
+    return some;
 }
 
-/* Counts the neighbours of point i, and says whether one shares its place. */
+/* Which of some candidates are neighbours of a point, a bit each; lowers *nearest to the least square of a distance. */
+static inline uint32_t order_hits(const struct order_work *w, const struct position *point,
+                                  struct range some, float *nearest)
+{
+    const struct position *end = w->candidates + some.last;
+    const float limit = w->limit;
+    float least = *nearest;
+    uint32_t hits = 0, bit = 1;
+    for (const struct position *j = w->candidates + some.first; j < end; j++, bit *= 2) {
+        alignas(16) struct position other;
+        order_move(&other, j);
+        float q2 = near_q2(point->count, other.count, w->scale);
+        if (q2 < limit)
+            hits += bit;
+        least = fminf(least, q2);
+    }
+    *nearest = least;
+    return hits;
+}
+
+/* Counts the neighbours of point i, keeps which of its candidates they are, and says whether one shares its
+ * place. */
 static inline void order_row_counts(const struct order_work *w, size_t i)
 {
     struct range range[RANGES_MAX];
     const int ranges = order_ranges(w, i, range);
     const uint32_t own = order_own(w, i);
-    const float limit = w->limit;
-    float nearest = limit;
-    uint32_t count = 0;
+    float nearest = w->limit;
+    uint32_t count = 0, word = 0;
     alignas(16) struct position point;
     order_move(&point, &w->points[i]);
-    for (int r = 0; r < ranges; r++) {
-        const struct range some = range[r];
-        for (uint32_t j = some.first; j < some.last; j++) {
-            float q2 = order_q2(w, &point, own, j);
-            count += q2 < limit;
-            nearest = q2 < nearest ? q2 : nearest;
+    for (int r = 0; r < ranges; r++)
+        for (struct range left = range[r]; left.first < left.last; word++) {
+            uint32_t hits = order_hits(w, &point, order_some(own, &left), &nearest);
+            if (word < w->hit_words)
+                w->hits[(size_t)word * w->point_count + i] = hits;
+            count += order_bits(hits);
         }
-    }
     w->count[i] = count;
     order_add64(&w->facts->entries, count);
     if (nearest < w->coincident)
@@ -112,18 +135,18 @@ static inline void order_rows(const struct order_work *w, size_t i)
     struct range range[RANGES_MAX];
     const int ranges = order_ranges(w, i, range);
     const uint32_t own = order_own(w, i);
-    const float limit = w->limit;
-    uint32_t *out = w->index + first + lane;
+    float nearest = w->limit;
+    uint32_t *out = w->index + first + lane, word = 0;
     alignas(16) struct position point;
     order_move(&point, &w->points[i]);
-    for (int r = 0; r < ranges; r++) {
-        const struct range some = range[r];
-        for (uint32_t j = some.first; j < some.last; j++)
-            if (order_q2(w, &point, own, j) < limit) {
-                *out = 2 * j;
-                out += PARTICLE_BLOCK;
-            }
-    }
+    for (int r = 0; r < ranges; r++)
+        for (struct range left = range[r]; left.first < left.last; word++) {
+            struct range some = order_some(own, &left);
+            uint32_t hits = word < w->hit_words ? w->hits[(size_t)word * w->point_count + i]
+                                                : order_hits(w, &point, some, &nearest);
+            for (; hits != 0; hits &= hits - 1, out += PARTICLE_BLOCK)
+                *out = 2 * (some.first + order_lowest(hits));
+        }
     if (lane == 0) {
         w->block[b].index = w->index + first;
         w->block[b].weight = w->weight ? w->weight + first : NULL;

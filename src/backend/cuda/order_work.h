@@ -35,6 +35,8 @@ struct order_work {
     float limit;                   /* square of the list radius, in smoothing lengths */
     float coincident;              /* and of the distance below which two share a place; 0: none does */
     uint32_t *count;               /* of each point */
+    uint32_t *hits;                /* which candidates are neighbours: word k of point i at k point_count + i */
+    uint32_t hit_words;            /* of each point; further candidates are looked at again */
     uint32_t *length;              /* of each block; then of all before it */
     struct row_block *block;
     uint32_t *index;

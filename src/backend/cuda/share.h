@@ -20,6 +20,14 @@ static inline void order_move(void *to, const void *from)
 {
     *(uint4 *)to = *(const uint4 *)from;
 }
+static inline uint32_t order_bits(uint32_t word)
+{
+    return (uint32_t)__popc(word);
+}
+static inline uint32_t order_lowest(uint32_t word)
+{
+    return (uint32_t)__ffs((int)word) - 1;
+}
 static inline void order_add(uint32_t *sum, uint32_t x)
 {
     atomicAdd(sum, x);
