@@ -60,7 +60,7 @@ NVCCFLAGS  := -std=c++20 -O3 --fmad=false -lineinfo -Isrc -DHAVE_EGL=$(EGL) $(if
               -gencode arch=compute_$(lastword $(CUDA_ARCHS)),code=compute_$(lastword $(CUDA_ARCHS))
 CUDA_LIB   := $(firstword $(wildcard $(CUDA_ROOT)/lib64/libcudart_static.a \
               $(CUDA_ROOT)/targets/*/lib/libcudart_static.a))
-LIBS       += $(or $(CUDA_LIB),-lcudart_static) -lrt -lstdc++
+LIBS       += $(or $(CUDA_LIB),-lcudart_static) -lrt -ldl -lpthread -lstdc++
 endif
 
 SOURCES  := $(sort $(shell find src -name '*.c'))

@@ -6,6 +6,7 @@ set -u
 : "${SIZES:=50k:0.011754385964912281 1M:0.00433 10M:0.00201}" "${MILLION:=0.00433}" \
     "${SUPPORTS:=2.0 2.6}" "${SEEDS=s0-c1 s0-c2 s0-c3}" "${BUDGET:=10m}"
 mkdir -p "$OUT"
+command -v jq >"$OUT/out" || { echo "jq is not here: install it (apt-get install jq)"; exit 1; }
 SPH=$BUILD/sph-render
 summary=$OUT/summary.md
 say() { echo "$*" | tee -a "$summary"; }

@@ -6,6 +6,7 @@
 : "${SCENES:=scenes/*.json scenes/seeds/*.json scenes/validation/*.json scenes/stability/*.json}"
 SPH=$BUILD/sph-render
 export OMP_WAIT_POLICY=passive
+command -v jq >"$work/out" || { echo "not ok 1 - jq is not here: install it (apt-get install jq)"; exit 1; }
 
 # states BACKEND ARGUMENTS...: "time hash" of each frame
 states() {
@@ -36,7 +37,15 @@ clean() {
     [ -z "$SHORT" ] || set -- "$@" --end "$SHORT"
     compute-sanitizer --tool "$tool" --error-exitcode 9 "$SPH" -q "$@" --backend "$DEVICE" --size 160x90 -o hash \
         >"$work/err" 2>&1
-    result $? "compute-sanitizer $tool: $1"
+    found=$?
+    # CUB's sorting and scanning have reports of their own (NVIDIA/cccl issues 1892, 1902, 1906)
+    if [ "$tool" = racecheck ] && [ $found = 9 ] && grep -q 'reported between' "$work/err" &&
+        ! grep -A1 'reported between' "$work/err" | grep -qv -e 'cub::' -e '^--'; then
+        found=0
+        set -- "$1, but for what is within CUB"
+    fi
+    result $found "compute-sanitizer $tool: $1"
+    [ $found = 0 ] || sed 's/^/# /' "$work/err" | head -20
 }
 
 "$SPH" list devices | sed 's/^/# /'

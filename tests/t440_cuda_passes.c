@@ -198,7 +198,7 @@ static void memory_is_predicted(void **state)
     faulty_make();
     faulty.info = little_memory;
     assert_int_equal(attempt_open(&t, &cases[0], &faulty_row), STATUS_RUN);
-    assert_non_null(strstr(t.error.text, "on a small GPU, which has 0.0002621 GB free"));
+    assert_non_null(strstr(t.error.text, "on a small GPU, of which 0.0002307 GB can be had"));
     assert_non_null(strstr(t.error.text, "particles.spacing"));
     attempt_close(&t);
 }

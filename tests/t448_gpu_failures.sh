@@ -58,4 +58,10 @@ GPU_MODEL_MEMORY=1000000 GPU_MODEL_SHORT=940000 film --renderer cpu
 refused 1 "take .* GB of the GPU's memory, of which .* GB are free (out of memory): use a larger particles.spacing"
 GPU_MODEL_MEMORY=1000000 GPU_MODEL_SHORT=1000000 film --renderer cuda
 refused 1 "take .* GB of the GPU's memory"
+# A driver that is older than the program's CUDA: auto takes the processors, and says why.
+GPU_MODEL_DRIVER=12040 "$model" scenes/dambreak.json --set particles.spacing=0.1 --end 0.01 -o null 2>"$work/out" &&
+    grep -q 'warning: the GPU.s driver knows CUDA up to 12.4, and this program was built with 13.0' "$work/out"
+result $? "a driver that is too old is said, and auto takes the processors"
+GPU_MODEL_DRIVER=12040 film --renderer cuda
+refused 3 "driver knows CUDA up to 12.4"
 echo "1..$n"

@@ -37,7 +37,7 @@ struct device_sort {
     uint64_t *sorted_keys;
     const uint32_t *values;
     uint32_t *sorted_values;
-    size_t count;
+    size_t count; /* below 2^32 */
     int bits;
 };
 

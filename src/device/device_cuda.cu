@@ -7,6 +7,9 @@
 #include <string.h>
 
 #include "device/device_cuda.h"
+extern "C" {
+#include "base/log.h"
+}
 
 struct device_graph {
     cudaGraphExec_t exec;
@@ -40,11 +43,30 @@ enum status cuda_report(struct device *d, struct error *e)
                      cudaGetErrorName(d->failure));
 }
 
+/* Without a driver CUDA says that it is too old, too; this is said where there is one. */
+static const char *too_old(cudaError_t result)
+{
+    static char text[160];
+    static bool told;
+    int driver = 0, runtime = 0;
+    if (result != cudaErrorInsufficientDriver || cudaDriverGetVersion(&driver) != cudaSuccess || driver == 0)
+        return NULL;
+    cudaRuntimeGetVersion(&runtime);
+    snprintf(text, sizeof text, "the GPU's driver knows CUDA up to %d.%d, and this program was built with %d.%d: use "
+             "a newer driver, or build with an older toolkit (make NVCC=...)", driver / 1000, driver % 1000 / 10,
+             runtime / 1000, runtime % 1000 / 10);
+    if (!told)
+        log_info("warning: %s", text);
+    told = true;
+    return text;
+}
+
 static int cuda_count(const char **why)
 {
     int count = 0;
     cudaError_t result = cudaGetDeviceCount(&count);
-    *why = result == cudaSuccess ? "" : cudaGetErrorString(result);
+    const char *old = too_old(result);
+    *why = result == cudaSuccess ? "" : old ? old : cudaGetErrorString(result);
     cudaGetLastError();
     return result == cudaSuccess ? count : 0;
 }
@@ -221,7 +243,7 @@ static cudaError_t sort_pairs(void *scratch, size_t *bytes, const struct device_
                               cudaStream_t stream)
 {
     return cub::DeviceRadixSort::SortPairs(scratch, *bytes, s->keys, s->sorted_keys, s->values,
-                                           s->sorted_values, s->count, 0, s->bits, stream);
+                                           s->sorted_values, (uint32_t)s->count, 0, s->bits, stream);
 }
 
 static enum status cuda_sort(struct device *d, const struct device_sort *s, struct error *e)
@@ -238,7 +260,8 @@ static enum status cuda_sort(struct device *d, const struct device_sort *s, stru
 /* In place: the sum of `count` values arrives behind them. */
 static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, struct error *e)
 {
-    size_t bytes = 0, all = count + 1;
+    size_t bytes = 0;
+    uint32_t all = (uint32_t)count + 1;
     cuda_keep(d, cub::DeviceScan::ExclusiveSum(NULL, bytes, values, values, all, cuda_stream(d)), "scan");
     if (!reserve(d, bytes, e))
         return e->status;
@@ -249,8 +272,11 @@ static enum status cuda_scan(struct device *d, uint32_t *values, size_t count, s
 
 static bool cuda_record(struct device *d)
 {
+    const char *waits = getenv("CUDA_LAUNCH_BLOCKING");
     d->before = d->failure;
     d->first = d->last = NULL;
+    if (waits && strcmp(waits, "1") == 0) /* each kernel by itself, so that the one that fails is named */
+        return false;
     bool ok = cudaStreamBeginCapture(cuda_stream(d), cudaStreamCaptureModeRelaxed) == cudaSuccess;
     cudaGetLastError();
     return ok;

@@ -4,20 +4,22 @@
 
 #include "base/error.h"
 
+#include <stdalign.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* 16-byte records: a neighbour is fetched as one or two of them. */
+/* 16-byte records: a neighbour is fetched as one or two of them, and a GPU moves 16 bytes at once where they are
+ * aligned. */
 struct position {
-    uint32_t count[3]; /* fixed point, particles/space.h */
+    alignas(16) uint32_t count[3]; /* fixed point, particles/space.h */
     float volume;      /* present volume / d^3; of a wall particle: V_b / d^3 */
 };
 struct motion {
-    float velocity[3]; /* m/s */
+    alignas(16) float velocity[3]; /* m/s */
     float pressure;    /* Pa */
 };
 struct rate {
-    float acceleration[3]; /* m/s^2 */
+    alignas(16) float acceleration[3]; /* m/s^2 */
     float density;         /* d(rho)/dt, kg/(m^3 s) */
 };
 

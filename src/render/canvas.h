@@ -23,6 +23,8 @@ struct canvas_row {
     const char *(*name)(const void *canvas);
     bool (*software)(const void *canvas);
     void (*close)(void *canvas); /* accepts NULL */
+    /* Whether auto tries it before the rows above it; NULL: never. */
+    bool (*leads)(const struct render_setup *setup);
 };
 
 extern const struct canvas_row canvas_egl, canvas_cpu, canvas_osmesa;

@@ -175,7 +175,8 @@ static enum status canvas_open(void **canvas, const struct canvas_row *row,
     return status;
 }
 
-/* Depth 1: behind the domain and every particle. */
+/* Depth 1: behind the domain and every particle. A power of two, so that depths are divided by it exactly, and are the
+ * same bits wherever the farthest particle is. */
 static double far_distance(const struct canvas *r, const struct camera *camera, size_t count)
 {
     double far = r->device.slots ? sprites_device_reach(&r->device, camera, r->setup.radius)
@@ -186,7 +187,9 @@ static double far_distance(const struct canvas *r, const struct camera *camera, 
         camera_view(camera, corner, view);
         far = fmax(far, view[2]);
     }
-    return far > 0 ? far * 1.001 : 1;
+    int exponent;
+    frexp(far > 0 ? far * 1.001 : 1, &exponent);
+    return ldexp(1, exponent);
 }
 
 static enum status gl_draw(struct canvas *r, const struct camera *camera,

@@ -23,13 +23,25 @@ struct renderer {
     int width, height; /* pixels */
 };
 
+/* The row that auto tries as number k: those that lead, then the others, either in the order of the table. */
+static const struct canvas_row *row_to_try(const struct renderer *r, size_t k)
+{
+    for (int leads = 1; leads >= 0; leads--)
+        for (size_t i = 0; i < render_table.count; i++) {
+            const struct canvas_row *row = (const struct canvas_row *)render_table.rows[i];
+            if ((row->leads && row->leads(&r->setup)) == leads && k-- == 0)
+                return row;
+        }
+    return NULL;
+}
+
 /* Tries the rows of this build in order, and keeps what each one said. OpenGL that a processor emulates
  * is slower than the cpu renderer, which comes next. */
 static enum status any_open(struct renderer *r, struct error *e)
 {
     char tried[1800] = "";
     for (size_t i = 0; i < render_table.count; i++) {
-        const struct canvas_row *row = (const struct canvas_row *)render_table.rows[i];
+        const struct canvas_row *row = row_to_try(r, i);
         size_t used = strlen(tried);
         const char *why = row->variant.missing;
         if (!why && row->open(&r->canvas, row, &r->setup, e) == STATUS_OK) {

@@ -15,7 +15,7 @@
 
 /* What the diffusion pass reads of a particle and its neighbours. */
 struct gradient {
-    float along[3]; /* h c^2 grad rho, Pa */
+    alignas(16) float along[3]; /* h c^2 grad rho, Pa */
     float excess;   /* c^2 (rho - rho0), Pa */
 };
 

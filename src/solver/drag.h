@@ -17,7 +17,7 @@
 
 /* Vectors of the solve: 16-byte records, of which the matrix reads one of each neighbour. */
 struct drag {
-    float along[3];
+    alignas(16) float along[3];
     float own; /* search: mu, Pa s; with Morris's operator remainder: drag of the closed planes, 1/s;
                   product: diagonal */
 };

@@ -36,7 +36,7 @@ struct implicit_constants {
 
 /* 8 words of what does not change during a step's solves. */
 struct factor {
-    float gradient[3]; /* G, 1/m */
+    alignas(16) float gradient[3]; /* G, 1/m */
     float inverse;     /* 1 / diag: m^2 kg/m^3; 0 where nothing pushes back */
     float along[3];    /* S: what walls add to flow and push along them, 1 away from walls */
     float ratio;       /* rho / rho0 */

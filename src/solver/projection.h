@@ -54,7 +54,7 @@ struct projection_constants {
 
 /* What does not change during a step's solves: 32 words. */
 struct stencil {
-    float inverse[6];  /* B, inverse of -sum V_j x (x) grad W with what walls lack: xx yy zz xy xz yz */
+    alignas(16) float inverse[6];  /* B, inverse of -sum V_j x (x) grad W with what walls lack: xx yy zz xy xz yz */
     float toward[3];   /* G = sum V_j grad W, 1/m */
     float wall[3];     /* what walls add to it, 1/m */
     float missing[3];  /* what they lack in the first moment, along their normals */
@@ -72,7 +72,7 @@ struct stencil {
 
 /* One row of a linear system that conjugate gradients solve. */
 struct unknown {
-    float diagonal; /* 1/m^2 */
+    alignas(16) float diagonal; /* 1/m^2 */
     float inverse;  /* 1 / diagonal; 0: the unknown stays as it is */
     float residual;
     float value;    /* Pa; of a shift m^2 */
@@ -80,7 +80,7 @@ struct unknown {
 
 /* What gradients are taken of. */
 struct trial {
-    float pressure; /* P, Pa */
+    alignas(16) float pressure; /* P, Pa */
     float mean;     /* Q, Pa */
     float shift;    /* m^2: its negative gradient is the displacement */
     float spare;

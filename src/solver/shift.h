@@ -18,7 +18,7 @@
 #include "solver/stir.h"
 
 struct shift {
-    float velocity[3]; /* u, m/s */
+    alignas(16) float velocity[3]; /* u, m/s */
     float deep;        /* 1 where no surface is within reach, 0 near one */
 };
 

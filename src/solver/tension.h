@@ -29,7 +29,7 @@ struct tension_constants {
 
 /* What the second pass reads of a neighbour. */
 struct normal {
-    float along[3]; /* n, into the fluid */
+    alignas(16) float along[3]; /* n, into the fluid */
     float size;     /* h s */
 };
 

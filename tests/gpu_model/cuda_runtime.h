@@ -122,7 +122,8 @@ enum cudaError_t {
     cudaErrorMemoryAllocation,
     cudaErrorStreamCaptureUnsupported,
     cudaErrorNotSupported,
-    cudaErrorLaunchFailure
+    cudaErrorLaunchFailure,
+    cudaErrorInsufficientDriver
 };
 const char *cudaGetErrorString(cudaError_t);
 const char *cudaGetErrorName(cudaError_t);

@@ -141,7 +141,8 @@ const char *cudaGetErrorString(cudaError_t error)
 {
     static const char *const words[] = {"no error", "invalid argument", "out of memory",
                                         "operation not permitted when stream is capturing",
-                                        "operation not supported", "unspecified launch failure"};
+                                        "operation not supported", "unspecified launch failure",
+                                        "CUDA driver version is insufficient for CUDA runtime version"};
     return words[error];
 }
 const char *cudaGetErrorName(cudaError_t error)
@@ -157,7 +158,7 @@ cudaError_t cudaGetLastError()
 cudaError_t cudaGetDeviceCount(int *count)
 {
     *count = 1;
-    return cudaSuccess;
+    return getenv("GPU_MODEL_DRIVER") ? cudaErrorInsufficientDriver : cudaSuccess;
 }
 cudaError_t cudaGetDevice(int *index)
 {
@@ -189,10 +190,12 @@ cudaError_t cudaMemGetInfo(size_t *available, size_t *all)
 }
 cudaError_t cudaDriverGetVersion(int *version)
 {
-    *version = 13000;
+    const char *old = getenv("GPU_MODEL_DRIVER"); /* as 12040 */
+    *version = old ? atoi(old) : 13000;
     return cudaSuccess;
 }
 cudaError_t cudaRuntimeGetVersion(int *version)
 {
-    return cudaDriverGetVersion(version);
+    *version = 13000;
+    return cudaSuccess;
 }

@@ -28,11 +28,16 @@ static inline float each_farthest2(const struct work *w)
 static inline void each_predict(const struct work *w, size_t i, struct extremes *own)
 {
     const struct state_work *s = &w->state;
+    const struct position x0 = s->position0[i];
+    const struct motion v0 = s->motion0[i];
+    const struct rate rate0 = s->rate0[i];
+    struct position x = x0;
+    struct motion v = v0;
     float density = 0;
-    float move2 = explicit_predict(&w->choice->each, work_fluid(w, i), w->scalars->dt,
-                                   &s->position0[i], &s->motion0[i], &s->rate0[i], s->density0[i],
-                                   w->shift ? w->shift[i].velocity : NULL, &s->position[i],
-                                   &s->motion[i], &density);
+    float move2 = explicit_predict(&w->choice->each, work_fluid(w, i), w->scalars->dt, &x0, &v0, &rate0,
+                                   s->density0[i], w->shift ? w->shift[i].velocity : NULL, &x, &v, &density);
+    s->position[i] = x;
+    s->motion[i] = v;
     s->density[i] = density;
     own->move2 = move2 > own->move2 ? move2 : own->move2;
     if (!(move2 <= each_farthest2(w)) || !(density > 0))
@@ -44,9 +49,14 @@ static inline void each_correct(const struct work *w, size_t i, struct extremes 
 {
     const struct state_work *s = &w->state;
     const struct explicit_constants *c = &w->choice->each;
-    explicit_correct(c, w->scalars->dt, &s->rate0[i], &w->rate[i], &s->motion[i], &s->density[i]);
-    float v2 = each_square(s->motion[i].velocity), a2 = each_square(w->rate[i].acceleration);
-    float ratio = s->density[i] / c->rest_density[work_fluid(w, i)];
+    const struct rate rate0 = s->rate0[i], rate = w->rate[i];
+    struct motion v = s->motion[i];
+    float density = s->density[i];
+    explicit_correct(c, w->scalars->dt, &rate0, &rate, &v, &density);
+    s->motion[i] = v;
+    s->density[i] = density;
+    float v2 = each_square(v.velocity), a2 = each_square(rate.acceleration);
+    float ratio = density / c->rest_density[work_fluid(w, i)];
     own->speed2 = v2 > own->speed2 ? v2 : own->speed2;
     own->acceleration2 = a2 > own->acceleration2 ? a2 : own->acceleration2;
     if (!(v2 < FLT_MAX) || !(a2 < FLT_MAX) || !(ratio > 0.05f && ratio < 20))
@@ -69,10 +79,13 @@ static inline void each_walls(const struct work *w, size_t i)
     const struct state_work *s = &w->state;
     const struct explicit_constants *c = &w->choice->each;
     bool pushes = !(w->choice->flags & PAIR_DRAG_ONLY);
+    const struct position x = w->position[i];
+    const struct motion v = s->motion[i];
+    struct rate rate = w->rate[i];
     int fluid = work_fluid(w, i);
-    explicit_walls(c, fluid, &w->position[i], &s->motion[i],
-                   pushes ? s->density[i] : c->rest_density[fluid], pushes,
-                   w->shift ? 1 - w->shift[i].deep : 1, &w->rate[i]);
+    explicit_walls(c, fluid, &x, &v, pushes ? s->density[i] : c->rest_density[fluid], pushes,
+                   w->shift ? 1 - w->shift[i].deep : 1, &rate);
+    w->rate[i] = rate;
 }
 
 /* Adds to the rate, or begins it with gravity. */

@@ -10,19 +10,26 @@ static inline void each_rewind(const struct work *w, size_t i)
 {
     const struct state_work *s = &w->state;
     const float half = 0.5f * w->scalars->before;
+    const struct rate rate0 = s->rate0[i];
+    struct motion motion = s->motion0[i];
+    struct rate rate = w->rate[i];
     for (int a = 0; a < 3; a++) {
-        s->motion[i].velocity[a] = s->motion0[i].velocity[a] - half * s->rate0[i].acceleration[a];
-        w->rate[i].acceleration[a] = w->constants.gravity[a];
+        motion.velocity[a] -= half * rate0.acceleration[a];
+        rate.acceleration[a] = w->constants.gravity[a];
     }
-    s->motion[i].pressure = s->motion0[i].pressure;
-    w->projection.direction[i] = w->scalars->resume * s->rate0[i].density;
+    s->motion[i] = motion;
+    w->rate[i] = rate;
+    w->projection.direction[i] = w->scalars->resume * rate0.density;
 }
 
 static inline void each_advance(const struct work *w, size_t i)
 {
     const float half = 0.5f * w->scalars->before;
+    const struct rate rate = w->rate[i];
+    struct motion motion = w->state.motion[i];
     for (int a = 0; a < 3; a++)
-        w->state.motion[i].velocity[a] += half * w->rate[i].acceleration[a];
+        motion.velocity[a] += half * rate.acceleration[a];
+    w->state.motion[i] = motion;
 }
 
 /* Means over the particles; only where fluid is enclosed. */
@@ -46,10 +53,13 @@ static inline void scalar_residual_mean(const struct work *w)
 static inline void each_crowding(const struct work *w, size_t i)
 {
     const struct scalars *s = w->scalars;
-    projection_pressures(&w->choice->projection, w->choice->each.h, &w->projection.stencil[i],
-                         s->mean, s->before, w->state.motion[i].pressure,
-                         s->resume * w->state.rate0[i].density, &w->projection.unknown[i],
-                         &w->projection.trial[i]);
+    const struct stencil stencil = w->projection.stencil[i];
+    struct unknown unknown = w->projection.unknown[i];
+    struct trial trial = w->projection.trial[i];
+    projection_pressures(&w->choice->projection, w->choice->each.h, &stencil, s->mean, s->before,
+                         w->state.motion[i].pressure, s->resume * w->state.rate0[i].density, &unknown, &trial);
+    w->projection.unknown[i] = unknown;
+    w->projection.trial[i] = trial;
 }
 
 /* Keeps the solution of the equation of the shift for the slopes. */
@@ -78,10 +88,11 @@ static inline void each_row_left(const struct unknown *u, double term[SCALAR_SUM
 /* Where nothing is fixed the pressure is known but for a constant: the residual has no mean. */
 static inline void each_residual(const struct work *w, size_t i, double term[SCALAR_SUMS])
 {
-    struct unknown *u = &w->projection.unknown[i];
-    u->residual = u->inverse > 0 ? u->residual - w->scalars->mean : 0;
-    w->projection.direction[i] = u->residual * u->inverse;
-    each_row_left(u, term);
+    struct unknown u = w->projection.unknown[i];
+    u.residual = u.inverse > 0 ? u.residual - w->scalars->mean : 0;
+    w->projection.unknown[i] = u;
+    w->projection.direction[i] = u.residual * u.inverse;
+    each_row_left(&u, term);
 }
 
 static inline void scalar_residual_found(const struct work *w)
@@ -104,10 +115,11 @@ static inline void scalar_descent_length(const struct work *w)
 static inline void each_ahead(const struct work *w, size_t i, double term[SCALAR_SUMS])
 {
     const float length = w->scalars->length;
-    struct unknown *u = &w->projection.unknown[i];
-    u->value += length * w->projection.direction[i];
-    u->residual = u->inverse > 0 ? u->residual - length * w->projection.product[i] : 0;
-    each_row_left(u, term);
+    struct unknown u = w->projection.unknown[i];
+    u.value += length * w->projection.direction[i];
+    u.residual = u.inverse > 0 ? u.residual - length * w->projection.product[i] : 0;
+    w->projection.unknown[i] = u;
+    each_row_left(&u, term);
 }
 
 static inline void scalar_descent_keep(const struct work *w)
@@ -121,26 +133,27 @@ static inline void scalar_descent_keep(const struct work *w)
 
 static inline void each_turn(const struct work *w, size_t i)
 {
-    const struct unknown *u = &w->projection.unknown[i];
+    const struct unknown u = w->projection.unknown[i];
     float *direction = &w->projection.direction[i];
-    *direction = u->residual * u->inverse + w->scalars->keep * *direction;
+    *direction = u.residual * u.inverse + w->scalars->keep * *direction;
 }
 
 static inline void each_drift(const struct work *w, size_t i, struct extremes *own)
 {
     const struct state_work *s = &w->state;
-    struct motion *v = &s->motion[i];
-    float move2 = projection_move(&w->choice->each, w->scalars->dt, &s->position0[i],
-                                  w->rate[i].acceleration, w->projection.stencil[i].crowd,
-                                  &s->position[i], v), v2 = 0, a2 = 0;
-    for (int a = 0; a < 3; a++) {
-        v2 += v->velocity[a] * v->velocity[a];
-        a2 += w->rate[i].acceleration[a] * w->rate[i].acceleration[a];
-    }
+    const struct stencil stencil = w->projection.stencil[i];
+    const struct position x0 = s->position0[i];
+    const struct rate rate = w->rate[i];
+    struct position x = x0;
+    struct motion v = s->motion[i];
+    float move2 = projection_move(&w->choice->each, w->scalars->dt, &x0, rate.acceleration, stencil.crowd, &x, &v);
+    float v2 = each_square(v.velocity), a2 = each_square(rate.acceleration);
+    s->position[i] = x;
+    s->motion[i] = v;
     own->move2 = move2 > own->move2 ? move2 : own->move2;
     own->speed2 = v2 > own->speed2 ? v2 : own->speed2;
     own->acceleration2 = a2 > own->acceleration2 ? a2 : own->acceleration2;
-    if (!(move2 <= each_farthest2(w)) || !(v2 < FLT_MAX) || !(fabsf(v->pressure) < FLT_MAX))
+    if (!(move2 <= each_farthest2(w)) || !(v2 < FLT_MAX) || !(fabsf(v.pressure) < FLT_MAX))
         each_bad(w, i, own);
 }
 

@@ -48,12 +48,12 @@ FORCE_INLINE void stencil_store(const struct work *w, size_t i, const struct pai
         }
         for (int m = 0; m < 6; m++)
             sums.moment[m] = settled(out[8 + m][l]);
+        struct stencil stencil = {.inverse = {0}};
         float ratio = projection_stencil(&w->choice->each, &w->choice->projection, &w->position[k],
-                                         t->violent[k], &sums, &t->stencil[k]);
+                                         t->violent[k], &sums, &stencil);
+        t->stencil[k] = stencil;
         w->state.density[k] = w->choice->each.rest_density[work_fluid(w, k)] * ratio;
-        t->surface[k] =
-            !w->choice->projection.enclosed && t->stencil[k].lack > w->choice->projection.loose ? 1
-                                                                                                : 0;
+        t->surface[k] = !w->choice->projection.enclosed && stencil.lack > w->choice->projection.loose ? 1 : 0;
     }
 }
 
@@ -145,8 +145,12 @@ FORCE_INLINE void surface_sum(const struct work *w, size_t i)
     real_store(out, most);
     real_store(shift, sum);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
+        struct stencil stencil = t->stencil[i + l];
+        struct unknown unknown = t->unknown[i + l];
         projection_surface(&w->choice->each, &w->choice->projection, work_fluid(w, i + l), out[l],
-                           settled(shift[l]), &t->stencil[i + l], &t->unknown[i + l]);
+                           settled(shift[l]), &stencil, &unknown);
+        t->stencil[i + l] = stencil;
+        t->unknown[i + l] = unknown;
     }
 }
 
@@ -191,18 +195,20 @@ static inline void flow_store(const struct work *w, size_t k, const float sum[14
 {
     const struct projection_work *t = &w->projection;
     const struct projection_constants *c = &w->choice->projection;
-    struct stencil *s = &t->stencil[k];
-    struct unknown *row = &t->unknown[k];
+    struct stencil stencil = t->stencil[k], *s = &stencil;
+    struct unknown unknown = t->unknown[k], *row = &unknown;
+    const struct motion motion = w->motion[k];
     float tensor[9], half = 0.5f * w->choice->each.h;
     for (int a = 0; a < 9; a++)
         tensor[a] = half * settled(sum[a]);
-    float divergence = projection_divergence(s, tensor, w->motion[k].velocity);
+    float divergence = projection_divergence(s, tensor, motion.velocity);
     float close = settled(sum[10]) / (c->laplacian * c->volume[0] * c->slope);
     s->speed = sqrtf(close > 0 ? close : 0);
     projection_fickian(c, w->id[k], w->scalars->dt, tensor, s);
     projection_stray(c, sum + 11, s);
-    projection_row(c, s, w->scalars->before, divergence, w->motion[k].pressure, settled(sum[9]),
-                   row);
+    projection_row(c, s, w->scalars->before, divergence, motion.pressure, settled(sum[9]), row);
+    t->stencil[k] = stencil;
+    t->unknown[k] = unknown;
 }
 
 FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
@@ -274,9 +280,10 @@ FORCE_INLINE void product_sum(const struct work *w, size_t i)
 static inline void slopes_store(const struct work *w, size_t k, const float sum[9])
 {
     const struct projection_work *t = &w->projection;
-    struct stencil *s = &t->stencil[k];
-    struct motion *v = &w->state.motion[k];
-    struct rate *rate = &w->rate[k];
+    struct stencil stencil = t->stencil[k], *s = &stencil;
+    struct motion motion = w->state.motion[k], *v = &motion;
+    struct rate own = w->rate[k], *rate = &own;
+    const struct trial trial = t->trial[k];
     float rest = w->choice->projection.reference, half = 0.5f * w->choice->each.h;
     float lighter = w->choice->projection.lighter[work_fluid(w, k)];
     float d[9], beyond[3], gradient[3][3];
@@ -285,11 +292,11 @@ static inline void slopes_store(const struct work *w, size_t k, const float sum[
         d[a] = half * settled(sum[a]);
     for (int a = 0; a < 3; a++)
         beyond[a] = w->scalars->before > 0 ? v->velocity[a] * (2 * rest / w->scalars->before) : 0;
-    projection_gradient(s, lighter, t->trial[k].pressure - s->jump, d, beyond, gradient[0]);
+    projection_gradient(s, lighter, trial.pressure - s->jump, d, beyond, gradient[0]);
     for (int a = 0; a < 3; a++)
         beyond[a] = rest * rate->acceleration[a];
-    projection_gradient(s, lighter, t->trial[k].mean - s->jump, d + 3, beyond, gradient[1]);
-    projection_gradient(s, lighter, t->trial[k].shift, d + 6, none, gradient[2]);
+    projection_gradient(s, lighter, trial.mean - s->jump, d + 3, beyond, gradient[1]);
+    projection_gradient(s, lighter, trial.shift, d + 6, none, gradient[2]);
     projection_lift(&w->choice->each, gradient[2], s->crowd);
     float violent = t->violent[k], part;
     part = projection_trust(&w->choice->each, w->scalars->before, w->scalars->dt, gradient[0],
@@ -300,8 +307,11 @@ static inline void slopes_store(const struct work *w, size_t k, const float sum[
         v->velocity[a] += s->carried[a] + 0.5f * (w->scalars->dt * rate->acceleration[a] -
                                                   w->scalars->before / rest * gradient[0][a]);
     }
-    rate->density = t->trial[k].shift;
-    v->pressure = t->trial[k].mean;
+    rate->density = trial.shift;
+    v->pressure = trial.mean;
+    t->stencil[k] = stencil;
+    w->state.motion[k] = motion;
+    w->rate[k] = own;
 }
 
 FORCE_INLINE void slopes_sum(const struct work *w, size_t i)

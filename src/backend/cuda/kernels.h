@@ -32,7 +32,7 @@ enum kernel_id {
 extern const struct kernel kernels_host[KERNEL_COUNT];
 extern const struct kernel kernels_cuda[KERNEL_COUNT]; /* only with CUDA=1 */
 
-/* Whether the first GPU can run them, else why not. */
-bool kernels_cuda_load(const char **why);
+/* Whether a GPU can run them, else why not. */
+bool kernels_cuda_load(int device, const char **why);
 
 #endif

@@ -51,7 +51,7 @@ static unsigned few_blocks(size_t threads)
 #define OVER_PARTICLES(n)                                                                          \
     for (size_t base = (size_t)blockIdx.x * THREADS; base < (n); base += (size_t)gridDim.x * THREADS)
 
-static __device__ void extremes_share(struct extremes *all, struct extremes own)
+static __device__ struct extremes extremes_of_warp(struct extremes own)
 {
     for (int step = WARP / 2; step > 0; step /= 2) {
         own.speed2 = fmaxf(own.speed2, __shfl_xor_sync(~0u, own.speed2, step));
@@ -59,13 +59,34 @@ static __device__ void extremes_share(struct extremes *all, struct extremes own)
         own.move2 = fmaxf(own.move2, __shfl_xor_sync(~0u, own.move2, step));
         own.bad = min(own.bad, __shfl_xor_sync(~0u, own.bad, step));
     }
-    if (threadIdx.x % WARP != 0)
+    return own;
+}
+
+/* None is negative: their bits are in the same order. */
+static __device__ void largest_share(float *all, float own)
+{
+    if (own > 0)
+        atomicMax((int *)all, __float_as_int(own));
+}
+
+/* Those of a block first, so that few threads meet at the same place. */
+static __device__ void extremes_share(struct extremes *all, struct extremes own)
+{
+    __shared__ struct extremes part[THREADS / WARP];
+    own = extremes_of_warp(own);
+    if (threadIdx.x % WARP == 0)
+        part[threadIdx.x / WARP] = own;
+    __syncthreads();
+    if (threadIdx.x >= WARP)
         return;
-    /* none is negative: their bits are in the same order */
-    atomicMax((int *)&all->speed2, __float_as_int(own.speed2));
-    atomicMax((int *)&all->acceleration2, __float_as_int(own.acceleration2));
-    atomicMax((int *)&all->move2, __float_as_int(own.move2));
-    atomicMin(&all->bad, own.bad);
+    own = extremes_of_warp(part[threadIdx.x % (THREADS / WARP)]);
+    if (threadIdx.x != 0)
+        return;
+    largest_share(&all->speed2, own.speed2);
+    largest_share(&all->acceleration2, own.acceleration2);
+    largest_share(&all->move2, own.move2);
+    if (own.bad != UINT32_MAX)
+        atomicMin(&all->bad, own.bad);
 }
 
 /* Exact sums of a block's threads, in shared memory. */
@@ -119,14 +140,20 @@ template <int TERMS> static __device__ void sums_share(const block_sums<TERMS> *
     }
 }
 
-/* The sum of a term over each 16 threads, one after the other, in the first of them; 0 in the others. */
+/* The sums of a term over each 16 threads of a block, one after the other, in its first threads; 0 in the others.
+ * One warp adds, since many GPUs have few units for double precision. */
 static __device__ double sum_in_order(double term)
 {
-    const int first = (int)(threadIdx.x % WARP) / PARTICLE_BLOCK * PARTICLE_BLOCK;
+    constexpr int ROWS = (int)THREADS / (int)PARTICLE_BLOCK;
+    __shared__ double kept[ROWS][PARTICLE_BLOCK + 1]; /* one more: each row in banks of its own */
     double sum = 0;
-    for (int l = 0; l < PARTICLE_BLOCK; l++)
-        sum += __shfl_sync(~0u, term, first + l);
-    return threadIdx.x % PARTICLE_BLOCK == 0 ? sum : 0;
+    __syncthreads();
+    kept[threadIdx.x / PARTICLE_BLOCK][threadIdx.x % PARTICLE_BLOCK] = term;
+    __syncthreads();
+    if (threadIdx.x < ROWS)
+        for (int l = 0; l < PARTICLE_BLOCK; l++)
+            sum += kept[threadIdx.x][l];
+    return sum;
 }
 
 #define LAUNCH(name, blocks, per_block, type)                                                      \
@@ -253,10 +280,12 @@ extern "C" const struct kernel kernels_cuda[KERNEL_COUNT] = {
 #include "backend/cuda/kernel_rows.h"
 };
 
-extern "C" bool kernels_cuda_load(const char **why)
+extern "C" bool kernels_cuda_load(int device, const char **why)
 {
     struct cudaFuncAttributes attributes;
-    cudaError_t result = cudaFuncGetAttributes(&attributes, kernel_pressure);
+    cudaError_t result = cudaSetDevice(device);
+    if (result == cudaSuccess)
+        result = cudaFuncGetAttributes(&attributes, kernel_pressure);
     *why = cudaGetErrorString(result);
     cudaGetLastError();
     return result == cudaSuccess;

@@ -10,12 +10,20 @@
 static enum status open_cuda(struct backend **out, const struct backend_setup *setup,
                              struct particles *particles, struct particles *walls, struct error *e)
 {
+    const char *why;
+    struct device_info info;
+    if (device_cuda.info(setup->device, &info, e))
+        return e->status;
+    if (!kernels_cuda_load(setup->device, &why))
+        return error_set(e, STATUS_BACKEND, "cuda:%d, %s of compute capability %d.%d, cannot run this program: %s; "
+                         "use --backend cpu, or build for it (make CUDA_ARCHS=%d)", setup->device, info.name,
+                         info.compute / 10, info.compute % 10, why, info.compute);
     return cuda_open_on(&device_cuda, kernels_cuda, out, setup, particles, walls, e);
 }
 
 static bool available(const char **why)
 {
-    return device_cuda.count(why) > 0 && kernels_cuda_load(why);
+    return device_cuda.count(why) > 0 && kernels_cuda_load(0, why);
 }
 
 static double memory(int device, char name[64], struct error *e)

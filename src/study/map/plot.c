@@ -3,7 +3,7 @@
 
 #include "base/log.h"
 #include "base/output.h"
-#include "study/process.h"
+#include "study/gnuplot.h"
 
 #include <math.h>
 #include <string.h>
@@ -199,7 +199,6 @@ enum status map_plot(const struct map *map, const char *directory, bool *drawn, 
 {
     static const char *const names[] = {"stability.dat", "stability.gp"};
     static void (*const write[])(const struct map *, FILE *) = {write_data, write_script};
-    const char *const argv[] = {"gnuplot", "stability.gp", NULL};
     struct process_end end;
     char log[4096];
     for (int k = 0; k < 2; k++) {
@@ -212,14 +211,14 @@ enum status map_plot(const struct map *map, const char *directory, bool *drawn, 
         if (output_close(&file, true, e))
             return e->status;
     }
-    *drawn = process_found("gnuplot");
+    *drawn = gnuplot_found();
     if (!*drawn) {
         log_info("%s: no figure, because there is no gnuplot (Debian's gnuplot-nox); the same command "
                  "draws it once it is there, or `gnuplot stability.gp` in the directory", directory);
         return STATUS_OK;
     }
     snprintf(log, sizeof log, "%s/stability.log", directory);
-    if (process_run_other(argv, directory, log, &end, e))
+    if (gnuplot_run("stability.gp", directory, log, &end, e))
         return e->status;
     if (end.code)
         return error_set(e, STATUS_OUTPUT, "%s: gnuplot ended with exit code %d, and says why in %s",

@@ -1,7 +1,7 @@
 /* Product "plots": figures of error, time and pairs, drawn by gnuplot. */
 #include "base/log.h"
+#include "study/gnuplot.h"
 #include "study/products/plot_script.h"
-#include "study/process.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -17,8 +17,7 @@ static enum status draw(const struct study_results *results, const struct figure
     snprintf(directory, sizeof directory, "%s/plots", results->directory);
     snprintf(script, sizeof script, "%s.gp", figure->stem);
     plot_path(results, figure, "log", log, sizeof log);
-    const char *argv[] = {"gnuplot", script, NULL};
-    if (process_run_other(argv, directory, log, &end, e))
+    if (gnuplot_run(script, directory, log, &end, e))
         return e->status;
     if (end.code)
         log_error("%s/%s: gnuplot could not draw this, and says why in %s", directory, script, log);
@@ -48,7 +47,7 @@ static enum status write_plots(const struct study_results *results, struct error
     struct figure figures[FIGURES_MOST];
     char directory[4096];
     size_t count = study_figures(results, figures);
-    bool can_draw = process_found("gnuplot");
+    bool can_draw = gnuplot_found();
     snprintf(directory, sizeof directory, "%s/plots", results->directory);
     if (mkdir(directory, 0777) && errno != EEXIST)
         return error_set(e, STATUS_OUTPUT, "%s: %s", directory, strerror(errno));
