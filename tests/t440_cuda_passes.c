@@ -221,7 +221,7 @@ static void memory_is_planned(void **state)
     if (attempt_open(&t, &cases[13], &backend_cpu))
         fail_msg("%s", t.error.text);
     t.plan.backend = &faulty_row;
-    assert_int_equal(budget_check(&t.plan, &t.error), STATUS_RUN);
+    assert_int_equal(budget_check(&t.plan, true, &t.error), STATUS_RUN);
     assert_non_null(strstr(t.error.text, "of a small GPU, but 6.554e-05 GB are free there"));
     attempt_close(&t);
 }

@@ -60,7 +60,7 @@ static enum status device_check(const struct plan *plan, double fluid, double wa
                      d * cbrt(bytes / fmax(have, 1)) * 1.01);
 }
 
-enum status budget_check(const struct plan *plan, struct error *e)
+enum status budget_check(const struct plan *plan, bool asks_device, struct error *e)
 {
     const struct scene *scene = plan->scene;
     double fluid = fill_bodies_estimate(scene), d = scene->particles.spacing;
@@ -74,7 +74,7 @@ enum status budget_check(const struct plan *plan, struct error *e)
                          scene->source, d, most, wall > fluid ? " in the walls" : "",
                          PARTICLES_MAX, d * cbrt(most / PARTICLES_MAX) * 1.01);
     if (have == 0 || bytes <= have)
-        return device_check(plan, fluid, wall, e);
+        return asks_device ? device_check(plan, fluid, wall, e) : STATUS_OK;
     return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles (and "
                      "%.4g in walls), which take %.4g GB (%.0f bytes each), but there are %.4g GB "
                      "(%s): use a spacing of %.3g m or more, or smaller bodies",

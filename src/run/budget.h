@@ -5,7 +5,7 @@
 #include "run/plan.h"
 
 /* Needs the plan's choice and bytes_per_particle. STATUS_USAGE when there are more particles than
- * can be numbered, STATUS_RUN when their memory is more than the machine has. */
-enum status budget_check(const struct plan *plan, struct error *e);
+ * can be numbered, STATUS_RUN when their memory is more than the machine has, or, if it is asked, the device. */
+enum status budget_check(const struct plan *plan, bool asks_device, struct error *e);
 
 #endif

@@ -218,7 +218,7 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     if (plan_color(&trial, options, e))
         return e->status;
     plan_fields(&trial);
-    return budget_check(&trial, e);
+    return budget_check(&trial, !options->elsewhere, e);
 }
 
 static enum status plan_rows(struct plan *plan, const struct scene *scene,

@@ -189,7 +189,7 @@ static enum status point_create(struct study_point *point, const struct study *s
                                 size_t member, struct error *e)
 {
     struct study_set set = {0};
-    struct run_options options = {.backend = point->backend, .renderer = "auto", .isa = "auto"};
+    struct run_options options = {.backend = point->backend, .renderer = "auto", .isa = "auto", .elsewhere = true};
     strcpy(point->isa, "auto");
     strcpy(point->backend, "cpu");
     point->energy_drift = point->momentum_drift = (double)NAN;
