@@ -33,6 +33,10 @@ if "$SPH" list encoders | grep -E '^ *mp4' | grep -qv 'not in this build'; then
     [ -s "$work/f.mp4" ]; result $? "its film is kept"
 fi
 cp -r "$ref" "$work/before"
+mkdir "$work/torn" "$work/none" && cp "$ref"/*.png "$work/torn" && echo torn >"$work/torn/frame-0003.png"
+run 2 "frame-0003.png" "an accepted frame that cannot be read" \
+    -q "$scene" --reference "$work/torn" -o "$work/none/%d.png" --report "$work/none/r.json" --html "$work/none/p.html"
+[ -z "$(ls "$work/none")" ]; result $? "ends the run, and nothing is written"
 "$SPH" -q "$scene" --reference "$ref" --set render.radius=0.7 >"$work/out" 2>&1
 diff -r "$ref" "$work/before" >"$work/out"; result $? "comparing changes nothing"
 run 1 "frame-0004.png: missing" "a shorter film lacks a frame" "$scene" --reference "$ref" --end 0.15

@@ -265,7 +265,7 @@ static void finish(struct session *x, const struct run_options *options, double 
         log_info("%s", e->text);
     if (e->status == STATUS_OK || e->status == STATUS_INTERRUPTED)
         say_results(x);
-    if (options->report && e->status != STATUS_OUTPUT &&
+    if (options->report && e->status != STATUS_OUTPUT && e->status != STATUS_USAGE &&
         report_write(options->report, &x->report, &x->simulation, &closing) &&
         e->status == STATUS_OK)
         *e = closing;
