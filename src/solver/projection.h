@@ -331,9 +331,9 @@ static inline void projection_pressures(const struct projection_constants *m, fl
 /* Displacement of a step down the gradient of concentration (Lind et al. 2012), in proportion to the
  * speed differences around, so that nothing shifts at rest; at a surface along it only. A lattice
  * under strain is in balance by symmetry and collapses late and violently unless it is stirred. The
- * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W; but not where fluids
- * differ in density: they slip past each other, and the momentum taken over would not be theirs. */
-static inline void projection_fickian(const struct projection_constants *m, uint32_t id, float dt,
+ * velocity is that of the new place: `tensor` is sum V_j (u_j - u_i)_a grad_b W; but not where the particle `meets`
+ * a fluid of another density: they slip past each other, and the momentum taken over would not be theirs. */
+static inline void projection_fickian(const struct projection_constants *m, uint32_t id, float dt, bool meets,
                                       const float tensor[9], struct stencil *s)
 {
     float most = s->speed * dt, part = 1, along = 0, size2 = 0, fick[3];
@@ -361,21 +361,20 @@ static inline void projection_fickian(const struct projection_constants *m, uint
                   b[3] * fick[0] + b[1] * fick[1] + b[5] * fick[2],
                   b[4] * fick[0] + b[5] * fick[1] + b[2] * fick[2]};
     for (int a = 0; a < 3; a++)
-        s->carried[a] = s->fringe > 0 || m->mixed ? 0 : tensor[3 * a] * d[0] +
+        s->carried[a] = s->fringe > 0 || meets ? 0 : tensor[3 * a] * d[0] +
                                                             tensor[3 * a + 1] * d[1] +
                                                             tensor[3 * a + 2] * d[2];
 }
 
 /* Deep inside, gradients of differences do not stop a single particle that strays through the fluid: it
  * keeps half of the largest speed difference around from the mean of its neighbours, which smooth flow
- * never comes near. `stray` is sum F (u_i - u_j). */
-static inline void projection_stray(const struct projection_constants *m, const float stray[3],
-                                    struct stencil *s)
+ * never comes near; but not where it `meets` another fluid. `stray` is sum F (u_i - u_j). */
+static inline void projection_stray(bool meets, const float stray[3], struct stencil *s)
 {
     float size2 = 0, most = 0.5f * s->speed * s->spread;
     for (int a = 0; a < 3; a++)
         size2 += stray[a] * stray[a];
-    if (s->fringe > 0 || m->mixed || !(size2 > most * most))
+    if (s->fringe > 0 || meets || !(size2 > most * most))
         return;
     float part = (1 - most / sqrtf(size2)) / s->spread;
     for (int a = 0; a < 3; a++)

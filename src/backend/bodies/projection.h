@@ -189,9 +189,11 @@ FORCE_INLINE void jump_sum(const struct work *w, size_t i)
         jump_store(w, i + l, out[0][l], out[1][l]);
 }
 
-/* The right-hand side, from sums F (u_i - u_j) x, sum F p_j, the largest F |u_ij|^2, and sums
- * F (u_i - u_j). */
-static inline void flow_store(const struct work *w, size_t k, const float sum[14])
+enum { FLOW_SUMS = 15 };
+
+/* The right-hand side, from sums F (u_i - u_j) x, sum F p_j, the largest F |u_ij|^2, sums F (u_i - u_j), and the
+ * largest difference to a neighbour in inverse density. */
+static inline void flow_store(const struct work *w, size_t k, const float sum[FLOW_SUMS])
 {
     const struct projection_work *t = &w->projection;
     const struct projection_constants *c = &w->choice->projection;
@@ -204,8 +206,8 @@ static inline void flow_store(const struct work *w, size_t k, const float sum[14
     float divergence = projection_divergence(s, tensor, motion.velocity);
     float close = settled(sum[10]) / (c->laplacian * c->volume[0] * c->slope);
     s->speed = sqrtf(close > 0 ? close : 0);
-    projection_fickian(c, w->id[k], w->scalars->dt, tensor, s);
-    projection_stray(c, sum + 11, s);
+    projection_fickian(c, w->id[k], w->scalars->dt, sum[14] > 0, tensor, s);
+    projection_stray(sum[14] > 0, sum + 11, s);
     projection_row(c, s, w->scalars->before, divergence, motion.pressure, settled(sum[9]), row);
     t->stencil[k] = stencil;
     t->unknown[k] = unknown;
@@ -220,7 +222,8 @@ FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
     struct lane_point point = point_load(w, i, &volume);
     struct pair_flows s = {
         {zero, zero, zero, zero, zero, zero, zero, zero, zero}, {zero, zero, zero}, zero, zero};
-    float out[14][LANES];
+    real apart = zero;
+    float out[FLOW_SUMS][LANES];
     records_own(w->motion + i, own);
     for (uint32_t k = 0; k < row.length; k++) {
         const uint32_t *index = row.index + (size_t)k * PARTICLE_BLOCK;
@@ -228,8 +231,11 @@ FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
         real plain = f;
         records_load(w->position, index, other);
         records_load(w->motion, index, motion);
-        if (mixed)
-            plain = f * pair_unshare(reference, inverse, lookup_load(w->inverse_density, index));
+        if (mixed) {
+            real neighbour = lookup_load(w->inverse_density, index);
+            plain = f * pair_unshare(reference, inverse, neighbour);
+            apart = pair_larger((neighbour - inverse) * (neighbour - inverse), apart);
+        }
         pair_distance(&point, other, x);
         pair_flow(&s, x, own, motion, f, plain);
     }
@@ -239,9 +245,10 @@ FORCE_INLINE void flow_sum(const struct work *w, size_t i, const bool mixed)
     real_store(out[10], s.speed2);
     for (int a = 0; a < 3; a++)
         real_store(out[11 + a], s.stray[a]);
+    real_store(out[14], apart);
     for (size_t l = 0; l < LANES && i + l < w->count; l++) {
-        float sum[14];
-        for (int a = 0; a < 14; a++)
+        float sum[FLOW_SUMS];
+        for (int a = 0; a < FLOW_SUMS; a++)
             sum[a] = out[a][l];
         flow_store(w, i + l, sum);
     }
