@@ -143,7 +143,7 @@ static void fills_defaults(void **state)
     assert_int_equal(s->fluid_count, 1);
     assert_true(s->fluids[0].density == 1000);
     assert_int_equal(s->body_count, 1);
-    assert_int_equal(s->bodies[0].shape, BODY_SPHERE);
+    assert_int_equal(s->bodies[0].shape.kind, SHAPE_SPHERE);
     assert_string_equal(s->bodies[0].fluid_name, "water");
     scene_free(s);
 }
@@ -181,7 +181,7 @@ static void applies_overrides(void **state)
     assert_string_equal(s->title, "a \"b\"");
     assert_int_equal(s->domain.walls[0], WALL_PERIODIC);
     assert_int_equal(s->domain.walls[2], WALL_PARTICLES);
-    assert_true(s->bodies[0].radius == 0.3 && s->color.range[1] == 2 && !s->color.legend);
+    assert_true(s->bodies[0].shape.radius == 0.3 && s->color.range[1] == 2 && !s->color.legend);
     scene_free(s);
     static const char *const emptied[] = {"bodies=[]", "title=\"quoted\"", "title=7"};
     s = load_set(BODIES(SPHERE), emptied, 3);

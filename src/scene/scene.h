@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "scene/key.h"
+#include "scene/shape.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,7 +21,6 @@ enum wall_kind {
     WALL_PERIODIC   /* joined to the opposite face, which must be periodic too */
 };
 
-enum body_shape { BODY_BOX, BODY_SPHERE, BODY_CYLINDER };
 enum body_fill { FILL_GRID, FILL_RANDOM };
 enum body_start { START_AUTO, START_REST, START_HYDROSTATIC }; /* pressure at the start */
 
@@ -45,11 +45,7 @@ struct scene_fluid {
 struct scene_body {
     char fluid_name[KEY_TEXT_SIZE]; /* as written; never empty once loaded */
     int fluid;             /* index into fluids */
-    enum body_shape shape;
-    double min[3], max[3]; /* box */
-    double center[3];      /* m; sphere; middle of a cylinder's axis */
-    double radius, height; /* sphere and cylinder; cylinder's full height along axis */
-    int axis;              /* cylinder: 0 x, 1 y, 2 z */
+    struct shape shape;
     enum body_fill fill;
     double jitter;         /* standard deviation of displacement from the lattice, in spacings */
     uint64_t seed;
@@ -59,6 +55,16 @@ struct scene_body {
     double flow_length;    /* m */
     double flow_speed;     /* m/s */
     enum body_start start;
+};
+
+enum { OBSTACLES_MAX = 64 };
+
+/* A solid that stands still in the domain: fluid flows round it. Obstacles may share space. */
+struct scene_obstacle {
+    struct shape shape;
+    double color[3];       /* 0..1 */
+    bool visible;          /* drawn */
+    int line, column;      /* in the file; 0: of an override */
 };
 
 /* A measured quantity. What a quantity does not read is zero. */
@@ -128,6 +134,8 @@ struct scene {
     size_t fluid_count;    /* at least 1 */
     struct scene_body *bodies;
     size_t body_count;     /* may be 0 */
+    struct scene_obstacle *obstacles;
+    size_t obstacle_count; /* 0 .. OBSTACLES_MAX */
     struct scene_measure *measures;
     size_t measure_count;  /* may be 0 */
     struct scene_label *labels;
