@@ -68,8 +68,10 @@ static inline void each_rest_volumes(const struct work *w, size_t i)
  * projection takes the fluid's volume, so that the lattice goes on in the wall. */
 static inline void each_wall_volumes(const struct work *w, size_t i)
 {
+    const struct explicit_constants *c = &w->choice->each;
     w->state.position[i].volume = w->choice->projects ? w->choice->projection.volume[0]
-                                                      : 1 / (w->constants.density * w->number[i]);
+                                  : c->obstacles.count ? c->mass[0] / c->rest_density[0]
+                                                       : 1 / (w->constants.density * w->number[i]);
 }
 
 /* A part of 1, in 2^-40; what is not a number counts 1. */
