@@ -148,8 +148,10 @@ static void schema_child(struct schema *s, size_t row, enum key_place place, con
     if (place == PLACE_LEAF) {
         schema_leaf(s, row);
     } else if (place == PLACE_ARRAY) {
-        fprintf(s->out, "{\"type\": \"array\", \"minItems\": %d, \"items\": ",
-                strcmp(name, "fluids") == 0);
+        fprintf(s->out, "{\"type\": \"array\", \"minItems\": %d, ", strcmp(name, "fluids") == 0);
+        if (strcmp(name, "obstacles") == 0)
+            fprintf(s->out, "\"maxItems\": %d, ", OBSTACLES_MAX);
+        fputs("\"items\": ", s->out);
         schema_object(s, below);
         fputc('}', s->out);
     } else if (place == PLACE_GROUP) {
