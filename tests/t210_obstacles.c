@@ -206,7 +206,7 @@ static void refusals(void **state)
     refused(FOOT ", {\"shape\": \"sphere\", \"center\": [0.4, 0.4, 0.4], \"radius\": 0.03}", HALF,
             "obstacles.1: this sphere is 0.06 m thick along x");
     refused(FOOT, "{\"shape\": \"sphere\", \"center\": [0.35, 0.15, 0.35], \"radius\": 0.1}",
-            "bodies.0 lies in obstacles and has no particle");
+            ":4:12: bodies.0 lies in obstacles and has no particle");
     /* A slab on the floor is as thick as the floor. */
     struct scene *scene =
         scene_make(CLOSED, "{\"shape\": \"box\", \"min\": [0.2, 0, 0.2], \"max\": [0.5, 0.03, 0.5]}", HALF);

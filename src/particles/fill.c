@@ -106,8 +106,8 @@ double fill_bodies_estimate(const struct scene *scene)
 /* A body whose particles all start in obstacles. */
 static enum status fail_empty(const struct scene *scene, size_t body, struct error *e)
 {
-    return error_set(e, STATUS_USAGE, "%s: bodies.%zu lies in obstacles and has no particle; move or remove it, "
-                     "or an obstacle", scene->source, body);
+    return scene_fail_at(scene, scene->bodies[body].place, e, "bodies.%zu lies in obstacles and has no particle; "
+                         "move or remove it, or an obstacle", body);
 }
 
 static enum status fill_body(const struct fill_solids *solids, int index, struct fill *fill, struct error *e)

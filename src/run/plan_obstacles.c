@@ -3,20 +3,14 @@
 
 #include "scene/solid.h"
 
-#include <stdio.h>
-
 static enum status fail_thin(const struct scene *scene, size_t k, int axis, double thick, double support,
                              struct error *e)
 {
     const struct scene_obstacle *o = &scene->obstacles[k];
-    char place[40] = "";
-    if (o->line)
-        snprintf(place, sizeof place, ":%d:%d", o->line, o->column);
-    return error_set(e, STATUS_USAGE, "%s%s: obstacles.%zu: this %s is %.4g m thick along %c, less than the support "
-                     "radius of %.4g m, and fluid on either side of it would feel the other; make it that thick, "
-                     "or particles.spacing %.3g m or less", scene->source, place, k,
-                     shape_words[o->shape.kind], thick, "xyz"[axis], support,
-                     scene->particles.spacing * thick / support * 0.99);
+    return scene_fail_at(scene, o->place, e, "obstacles.%zu: this %s is %.4g m thick along %c, less than the "
+                         "support radius of %.4g m, and fluid on either side of it would feel the other; make it "
+                         "that thick, or particles.spacing %.3g m or less", k, shape_words[o->shape.kind], thick,
+                         "xyz"[axis], support, scene->particles.spacing * thick / support * 0.99);
 }
 
 enum status plan_obstacles(const struct scene *scene, double support, struct error *e)

@@ -68,7 +68,9 @@ enum status check_bodies(struct load *load)
 {
     enum status status = STATUS_OK;
     for (size_t i = 0; i < load->scene->body_count && !status; i++) {
-        status = check_shape(load, ARRAY_BODIES, i, &load->scene->bodies[i].shape);
+        struct scene_body *body = &load->scene->bodies[i];
+        body->place = load_position(load, load->arrays[ARRAY_BODIES].elements[i]);
+        status = check_shape(load, ARRAY_BODIES, i, &body->shape);
         if (!status)
             status = check_start(load, i);
     }

@@ -69,7 +69,7 @@ enum status check_obstacles(struct load *load)
                          "are supported; join or remove some", s->obstacle_count, OBSTACLES_MAX);
     for (size_t i = 0; i < s->obstacle_count; i++) {
         struct scene_obstacle *obstacle = &s->obstacles[i];
-        load_position(load, load->arrays[ARRAY_OBSTACLES].elements[i], &obstacle->line, &obstacle->column);
+        obstacle->place = load_position(load, load->arrays[ARRAY_OBSTACLES].elements[i]);
         if (check_shape(load, ARRAY_OBSTACLES, i, &obstacle->shape))
             return load->e->status;
     }

@@ -15,10 +15,12 @@ static int place_offset(const struct load *load, struct place place)
     return node ? node->start - (node->kind == JSON_STRING) : 0;
 }
 
-void load_position(const struct load *load, struct place place, int *line, int *column)
+struct scene_place load_position(const struct load *load, struct place place)
 {
+    struct scene_place at = {0};
     if (place.doc == &load->file)
-        json_position(&load->file, place_offset(load, place), line, column);
+        json_position(&load->file, place_offset(load, place), &at.line, &at.column);
+    return at;
 }
 
 enum status load_fail(struct load *load, struct place place, const char *format, ...)
@@ -214,7 +216,7 @@ static enum status fill_options(struct load *load)
         struct scene_option *option = &scene->options[scene->option_count++];
         snprintf(option->path, sizeof option->path, "%s", key->path);
         option->type = key->type;
-        load_position(load, load->said[i], &option->line, &option->column);
+        option->place = load_position(load, load->said[i]);
         enum status status = fill_value(load, key, key->path, load->said[i],
                                         holder(load, key->path), &option->value);
         if (status)

@@ -43,8 +43,8 @@ enum status load_fail(struct load *load, struct place place, const char *format,
 struct place load_place(const struct load *load, const char *path);
 struct place load_element_place(const struct load *load, int array, size_t i, const char *path);
 
-/* Line and column of a place in the scene file; left alone when it is not there. */
-void load_position(const struct load *load, struct place place, int *line, int *column);
+/* Line and column of a place, if it is in the scene file. */
+struct scene_place load_position(const struct load *load, struct place place);
 
 /* Semantic checks over a scene that is filled in. STATUS_USAGE. */
 enum status check_scene(struct load *load);

@@ -33,6 +33,8 @@ enum label_place {
     LABEL_TOP_LEFT, LABEL_TOP, LABEL_TOP_RIGHT, LABEL_BOTTOM_LEFT, LABEL_BOTTOM, LABEL_BOTTOM_RIGHT
 };
 
+struct scene_place { int line, column; }; /* in the scene file; 0: not said there */
+
 struct scene_fluid {
     char name[KEY_TEXT_SIZE];
     double density;        /* rest density, kg/m^3 */
@@ -55,6 +57,7 @@ struct scene_body {
     double flow_length;    /* m */
     double flow_speed;     /* m/s */
     enum body_start start;
+    struct scene_place place;
 };
 
 enum { OBSTACLES_MAX = 64 };
@@ -64,7 +67,7 @@ struct scene_obstacle {
     struct shape shape;
     double color[3];       /* 0..1 */
     bool visible;          /* drawn */
-    int line, column;      /* in the file; 0: of an override */
+    struct scene_place place;
 };
 
 /* A measured quantity. What a quantity does not read is zero. */
@@ -102,7 +105,7 @@ enum camera_projection { PROJECTION_PERSPECTIVE, PROJECTION_ORTHOGRAPHIC };
 
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
-    int line, column;      /* of its value in the file; 0: not said there */
+    struct scene_place place; /* of its value */
     enum key_type type;
     union {
         bool flag;
@@ -241,6 +244,10 @@ const double *scene_vector(const struct scene *scene, const char *path);
 /* Records "FILE:LINE:COL: message" where the file says the option, else "FILE: message". STATUS_USAGE. */
 enum status scene_fail(const struct scene *scene, const char *path, struct error *e,
                        const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* The same at a place that is known. */
+enum status scene_fail_at(const struct scene *scene, struct scene_place place, struct error *e,
+                          const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 /* Writes every key with its value in force, as a scene file that loads to the same scene. */
 void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);
