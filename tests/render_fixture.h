@@ -33,6 +33,21 @@ static inline void fixture_scene(struct scene *scene, int width, int height)
         scene->render.background_top[k] = NAN;
 }
 
+/* Puts obstacles of all shapes in it, two of which go through each other. */
+static inline void fixture_obstacles(struct scene *scene)
+{
+    static struct scene_obstacle obstacles[] = {
+        {.shape = {.kind = SHAPE_BOX, .min = {0.5, 0, 0.1}, .max = {0.8, 0.25, 0.4}}, .color = {0.8, 0.4, 0.2},
+         .visible = true},
+        {.shape = {.kind = SHAPE_SPHERE, .center = {0.8, 0.25, 0.3}, .radius = 0.15}, .color = {0.3, 0.6, 0.3},
+         .visible = true},
+        {.shape = {.kind = SHAPE_CYLINDER, .center = {1.2, 0.5, 0.4}, .radius = 0.08, .height = 1, .axis = 1},
+         .color = {0.6, 0.6, 0.6}, .visible = true},
+        {.shape = {.kind = SHAPE_BOX, .min = {0, 0, 0}, .max = {1.6, 1, 0.67}}, .visible = false}};
+    scene->obstacles = obstacles;
+    scene->obstacle_count = sizeof obstacles / sizeof *obstacles;
+}
+
 static inline struct render_setup fixture_setup(const struct scene *scene, const char *context)
 {
     struct render_setup setup = {.scene = scene, .renderer = context, .radius = 0.01,

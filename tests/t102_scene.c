@@ -10,6 +10,10 @@
 #define SPHERE "{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], \"radius\": 0.2}"
 #define BODIES(list) SCENE_HEAD SCENE_FLUID " \"bodies\": [" list "],\n" SCENE_END
 #define WITH(member) SCENE_HEAD SCENE_FLUID " " member ",\n" SCENE_END
+#define OBSTACLES(list) WITH("\"obstacles\": [" list "]")
+#define CUBE "{\"shape\": \"box\", \"min\": [0, 0, 0], \"max\": [0.2, 0.2, 0.2]}"
+#define CUBES_4 CUBE ", " CUBE ", " CUBE ", " CUBE
+#define CUBES_16 CUBES_4 ", " CUBES_4 ", " CUBES_4 ", " CUBES_4
 #define DOMAIN(inside) \
     "{\"domain\": {" inside "}, \"particles\": {\"spacing\": 0.1},\n" SCENE_FLUID SCENE_END
 
@@ -96,6 +100,20 @@ static const struct { const char *text, *place, *says; } refused[] = {
      "outside the domain"},
     {BODIES(SPHERE ", {\"shape\": \"box\", \"min\": [0,0,0], \"max\": [0.4,0.5,0.5]}"), "",
      "bodies.1 (box) overlaps bodies.0 (sphere)"},
+    {OBSTACLES("{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5]}"), ":3:16:",
+     "\"obstacles.0.radius\" is missing"},
+    {OBSTACLES(CUBE ", {\"shape\": \"box\", \"min\": [0,0,0], \"max\": [1,1,1], \"axis\": \"x\"}"), "",
+     "obstacles.1.axis is for shape cylinder only, and the shape here is box"},
+    {OBSTACLES("{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.9], \"radius\": 0.2}"), ":3:46:",
+     "obstacles.0: this sphere reaches z = 1.1 m, outside the domain"},
+    {OBSTACLES("{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], \"radius\": 0.04}"), ":3:73:",
+     "less than particles.spacing"},
+    {OBSTACLES("{\"shape\": \"box\", \"min\": [0,0,0], \"max\": [0.5,0,0.5]}"), ":3:56:",
+     "not above obstacles.0.min along y"},
+    {OBSTACLES("{\"shape\": \"box\", \"min\": [0,0,0], \"max\": [1,1,1], \"fluid\": \"water\"}"), ":3:65:",
+     "unknown key \"obstacles.0.fluid\""},
+    {OBSTACLES(CUBES_16 ", " CUBES_16 ", " CUBES_16 ", " CUBES_16 ", " CUBE), ":3:15:",
+     "there are 65, and at most 64 are supported"},
     {BODIES("{\"fluid\": \"watr\", \"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], "
             "\"radius\": 1}"), ":3:23:", "did you mean \"water\""},
     {BODIES("{\"shape\": \"sphere\", \"center\": [0.5, 0.5, 0.5], "
@@ -143,7 +161,7 @@ static void fills_defaults(void **state)
     assert_int_equal(s->fluid_count, 1);
     assert_true(s->fluids[0].density == 1000);
     assert_int_equal(s->body_count, 1);
-    assert_int_equal(s->bodies[0].shape, BODY_SPHERE);
+    assert_int_equal(s->bodies[0].shape.kind, SHAPE_SPHERE);
     assert_string_equal(s->bodies[0].fluid_name, "water");
     scene_free(s);
 }
@@ -181,7 +199,7 @@ static void applies_overrides(void **state)
     assert_string_equal(s->title, "a \"b\"");
     assert_int_equal(s->domain.walls[0], WALL_PERIODIC);
     assert_int_equal(s->domain.walls[2], WALL_PARTICLES);
-    assert_true(s->bodies[0].radius == 0.3 && s->color.range[1] == 2 && !s->color.legend);
+    assert_true(s->bodies[0].shape.radius == 0.3 && s->color.range[1] == 2 && !s->color.legend);
     scene_free(s);
     static const char *const emptied[] = {"bodies=[]", "title=\"quoted\"", "title=7"};
     s = load_set(BODIES(SPHERE), emptied, 3);
@@ -286,15 +304,20 @@ static void round_trips(void **state)
         "drag.steps=9", "camera.eye=[3, 2, 1]"};
     static const char text[] =
         BODIES(SPHERE ", {\"shape\": \"cylinder\", \"center\": [0.2, 0.2, 0.2], "
-               "\"radius\": 0.1, \"height\": 0.3, \"axis\": \"z\"}");
+               "\"radius\": 0.1, \"height\": 0.3, \"axis\": \"z\"}], \"obstacles\": [" CUBE ", " SPHERE);
     struct scene *a = load_set(text, items, 8);
     assert_int_equal(a->bodies[0].seed, 9007199254740993);
     char *first = written(a);
     struct scene *b = load_set(first, NULL, 0);
     char *second = written(b);
     assert_string_equal(first, second);
+    for (size_t i = 0; i < a->body_count; i++)
+        a->bodies[i].place = b->bodies[i].place = (struct scene_place){0};
     assert_memory_equal(a->bodies, b->bodies, a->body_count * sizeof *a->bodies);
     assert_memory_equal(a->gravity, b->gravity, sizeof a->gravity);
+    assert_true(a->obstacle_count == 2 && b->obstacle_count == 2 && a->obstacles[1].visible);
+    for (size_t i = 0; i < 2; i++)
+        assert_memory_equal(&a->obstacles[i].shape, &b->obstacles[i].shape, sizeof a->obstacles->shape);
     free(first);
     free(second);
     scene_free(a);

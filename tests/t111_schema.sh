@@ -32,6 +32,10 @@ refuses("an unknown word", lambda s: s["solver"].update(method="wscph"))
 refuses("no fluids", lambda s: s.update(fluids=[]))
 refuses("a key of another shape", lambda s: s["bodies"][0].update(radius=1))
 refuses("a body without its size", lambda s: s["bodies"][0].pop("max"))
+scene = json.load(open("scenes/dambreak-obstacle.json"))
+refuses("a key of another shape of an obstacle", lambda s: s["obstacles"][0].update(height=1))
+refuses("an obstacle without its size", lambda s: s["obstacles"][0].pop("min"))
+refuses("too many obstacles", lambda s: s.update(obstacles=65 * s["obstacles"]))
 refuses("an unknown wall", lambda s: s["domain"].update(walls={"-q": "closed"}))
 def described(node, path=""):
     for name, child in node.get("properties", {}).items():

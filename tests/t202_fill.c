@@ -2,7 +2,7 @@
 #include "world.h"
 
 #include "particles/start.h"
-#include "scene/load.h"
+#include "scene/shape.h"
 
 #define HEAD "{\"domain\": {\"min\": [0, 0, 0], \"max\": [1, 1, 1]%s},\n" \
              " \"particles\": {\"spacing\": 0.05}, \"time\": {\"end\": 1},\n" \
@@ -88,7 +88,7 @@ static void fills_balls(void **state)
     (void)state;
     struct scene *scene = load("", BALL "}");
     struct fill f = fill(scene);
-    double exact = body_volume(&scene->bodies[0]);
+    double exact = shape_volume(&scene->bodies[0].shape);
     assert_true(fabs((double)f.count * 1.25e-4 / exact - 1) < 0.06);
     for (size_t i = 0; i < f.count; i++)
         assert_true(hypot(hypot(f.point[i][0] - 0.5, f.point[i][1] - 0.7), f.point[i][2] - 0.5) <

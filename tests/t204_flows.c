@@ -18,7 +18,7 @@ static void waves(void **state)
 
 static struct scene_body body(const char *flow, double length, double speed)
 {
-    struct scene_body b = {.shape = BODY_BOX, .max = {1, 1, 1}, .velocity = {10, 0, -3},
+    struct scene_body b = {.shape = {.kind = SHAPE_BOX, .max = {1, 1, 1}}, .velocity = {10, 0, -3},
                            .flow_center = {0.5, -1, 2}, .flow_length = length,
                            .flow_speed = speed};
     snprintf(b.flow, sizeof b.flow, "%s", flow);

@@ -46,6 +46,13 @@ static const struct test_case cases[] = {
     {"isph, wall particles", "tests/scenes/projection-wall-particles.json", 20, {0}},
     {"isph, thick", "tests/scenes/honey.json", 20, {"solver={\"method\": \"isph\"}"}},
     {"isph, surface tension between fluids", "tests/scenes/drop-in-fluid.json", 10, {0}},
+    {"isph, obstacles", "tests/scenes/obstacles.json", 40, {"particles.spacing=0.035"}},
+    {"wcsph, obstacles", "tests/scenes/obstacles.json", 40,
+     {"solver={\"method\": \"wcsph\"}", "particles.spacing=0.035"}},
+    {"dfsph, obstacles", "tests/scenes/obstacles.json", 20,
+     {"solver={\"method\": \"dfsph\"}", "particles.spacing=0.035"}},
+    {"muller, obstacles", "tests/scenes/obstacles.json", 40,
+     {"solver={\"method\": \"muller\"}", "particles.spacing=0.035"}},
     {"all pairs", "tests/scenes/dam.json", 20, {"neighbours=all-pairs"}},
 };
 enum { CASES = sizeof cases / sizeof *cases };

@@ -35,6 +35,7 @@ static const struct test_case cases[] = {
     {"dfsph, thick", "tests/scenes/honey.json", 3, {0}},
     {"isph", "scenes/dambreak.json", 3, {"particles.spacing=0.1"}},
     {"isph, wall particles", "tests/scenes/projection-wall-particles.json", 2, {0}},
+    {"isph, obstacles", "tests/scenes/obstacles.json", 2, {"particles.spacing=0.035"}},
     {"isph, two fluids, enclosed", "tests/scenes/drop-in-fluid.json", 2, {0}},
 };
 enum { CASES = sizeof cases / sizeof *cases };

@@ -19,4 +19,6 @@ compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.
 compare "periodic" tests/scenes/periodic.json
 compare "particle shifting" tests/scenes/taylor-green.json
 compare "shifting between wall particles" tests/scenes/wall-particles.json --set solver.shifting=on
+compare "obstacles" tests/scenes/obstacles.json --set 'solver={"method": "wcsph"}' --fps 30
+compare "obstacles, dfsph" tests/scenes/obstacles.json --set 'solver={"method": "dfsph"}' --fps 30
 echo "1..$n"

@@ -55,6 +55,16 @@ static void change_surface(struct scene *scene)
     scene->particles.spacing = 0.016;
 }
 
+static void change_obstacles(struct scene *scene)
+{
+    fixture_obstacles(scene);
+}
+static void change_surface_obstacles(struct scene *scene)
+{
+    fixture_obstacles(scene);
+    change_surface(scene);
+}
+
 static void draw(const struct how *how, void (*change)(struct scene *), struct image *image)
 {
     struct scene scene;
@@ -96,7 +106,8 @@ static void the_same_bits(void **state)
 {
     static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
                                                        change_surface, change_occlusion, change_projection,
-                                                       change_shadow};
+                                                       change_shadow, change_obstacles,
+                                                       change_surface_obstacles};
     static const char *const isas[] = {"scalar", "avx2", "avx512"};
     (void)state;
     for (size_t c = 0; c < sizeof changes / sizeof *changes; c++) {
@@ -116,12 +127,13 @@ static void the_same_bits(void **state)
 static void the_picture_of_opengl(void **state)
 {
     static void (*const changes[])(struct scene *) = {change_nothing, change_look, change_clear,
-                                                       change_projection, change_shadow};
+                                                       change_projection, change_shadow, change_obstacles};
+    enum { DRAWN = 3 * sizeof changes / sizeof *changes };
     static const double radii[] = {0.002, 0.01, 0.08};
     const char *names[] = {"egl", "osmesa"};
     (void)state;
     for (size_t n = 0; n < 2; n++)
-        for (size_t c = 0; c < 15 && !variant_find(&render_table, names[n])->missing; c++) {
+        for (size_t c = 0; c < DRAWN && !variant_find(&render_table, names[n])->missing; c++) {
             struct image cpu, gl;
             size_t differing = 0;
             double radius = radii[c % 3];

@@ -115,6 +115,17 @@ static void orthographic(struct scene *scene, struct render_setup *setup)
     scene->camera.height = NAN;
     scene->render.floor = FLOOR_CHECKER;
 }
+static void obstacles(struct scene *scene, struct render_setup *setup)
+{
+    (void)setup;
+    fixture_obstacles(scene);
+}
+static void clear_obstacles(struct scene *scene, struct render_setup *setup)
+{
+    clear(scene, setup);
+    orthographic(scene, setup);
+    fixture_obstacles(scene);
+}
 static void shadow_and_occlusion(struct scene *scene, struct render_setup *setup)
 {
     (void)setup;
@@ -165,7 +176,7 @@ static const struct {
     {"transparent", clear}, {"faces and a grid", faces_and_grid}, {"orthographic", orthographic},
     {"shadow and occlusion", shadow_and_occlusion}, {"no domain, log", bare_log_scale},
     {"steps, raw", steps_and_raw}, {"own colours", own_colors}, {"from inside", inside},
-    {"mirrored", mirrored},
+    {"mirrored", mirrored}, {"obstacles", obstacles}, {"obstacles over nothing", clear_obstacles},
 };
 
 static void the_bits_of_cpu(void **state)

@@ -59,6 +59,17 @@ result $? "fading background"
 golden cut --renderer cpu --set 'render.clip_max=[9, 0.2, 9]'
 result $? "cut open"
 
+solids='obstacles=[{"shape": "box", "min": [0.5, 0, 0.1], "max": [0.7, 0.2, 0.3], "color": [0.8, 0.4, 0.2]},
+    {"shape": "sphere", "center": [0.3, 0.2, 0.25], "radius": 0.1}, {"shape": "cylinder", "center": [0.6, 0.4, 0.4],
+    "radius": 0.08, "height": 0.8}, {"shape": "box", "min": [0.6, 0.1, 0.2], "max": [0.8, 0.3, 0.4]}]'
+obstacles() { golden obstacles --renderer "$1" --set "$solids"; }
+obstacles cpu
+result $? "obstacles"
+golden obstacles-water --renderer cpu --set "$solids" --set render.style=surface --color solid
+result $? "obstacles in water"
+golden obstacles-clear --renderer cpu --set "$solids" --set render.transparent=true --set render.box=false
+result $? "obstacles over nothing"
+
 gate=cross-driver
 for renderer in egl osmesa; do
     "$SPH" list renderers | grep "^ *$renderer" | grep -q 'not in this build' && continue
@@ -74,6 +85,8 @@ for renderer in egl osmesa; do
     result $? "$renderer: faces"
     golden fading --renderer $renderer --set 'render.background_top=[0.2, 0.3, 0.5]'
     result $? "$renderer: fading background"
+    obstacles $renderer
+    result $? "$renderer: obstacles"
     shadow $renderer
     result $? "$renderer: render.shadow=0.5"
     for style in grid checker; do

@@ -2,6 +2,7 @@
 #include "particles/fill.h"
 
 #include "base/memory.h"
+#include "particles/fill_obstacles.h"
 
 #include <math.h>
 #include <string.h>
@@ -27,34 +28,12 @@ static double random_normal(uint64_t seed, uint64_t index, uint64_t draw)
     return sum;
 }
 
-static void body_bounds(const struct scene_body *b, double low[3], double high[3])
+enum status fill_add(struct fill *fill, const double p[3], int body, struct error *e)
 {
-    for (int a = 0; a < 3; a++) {
-        double half = b->shape == BODY_CYLINDER && a == b->axis ? b->height / 2 : b->radius;
-        low[a] = b->shape == BODY_BOX ? b->min[a] : b->center[a] - half;
-        high[a] = b->shape == BODY_BOX ? b->max[a] : b->center[a] + half;
-    }
-}
-
-static bool body_contains(const struct scene_body *b, const double p[3])
-{
-    double r2 = 0;
-    if (b->shape == BODY_BOX)
-        return true; /* the bounds are the body */
-    for (int a = 0; a < 3; a++)
-        if (b->shape == BODY_SPHERE || a != b->axis)
-            r2 += (p[a] - b->center[a]) * (p[a] - b->center[a]);
-    return r2 <= b->radius * b->radius;
-}
-
-static enum status fill_push(struct fill *fill, size_t *capacity, const double p[3], int body,
-                             struct error *e)
-{
-    if (fill->count == *capacity) {
-        struct fill grown = {.count = fill->count};
-        size_t room = *capacity ? 2 * *capacity : 4096;
-        grown.point = memory_create("start points", room, sizeof *grown.point, e);
-        grown.body = grown.point ? memory_create("start points", room, sizeof *grown.body, e) : NULL;
+    if (fill->count == fill->room) {
+        struct fill grown = {.count = fill->count, .room = fill->room ? 2 * fill->room : 4096};
+        grown.point = memory_create("start points", grown.room, sizeof *grown.point, e);
+        grown.body = grown.point ? memory_create("start points", grown.room, sizeof *grown.body, e) : NULL;
         if (!grown.body) {
             memory_free(grown.point);
             return e->status;
@@ -65,14 +44,13 @@ static enum status fill_push(struct fill *fill, size_t *capacity, const double p
         }
         fill_free(fill);
         *fill = grown;
-        *capacity = room;
     }
     memcpy(fill->point[fill->count], p, sizeof *fill->point);
     fill->body[fill->count++] = body;
     return STATUS_OK;
 }
 
-static void keep_inside(const struct scene *scene, double p[3])
+void fill_keep_inside(const struct scene *scene, double p[3])
 {
     for (int a = 0; a < 3; a++) {
         double margin = 1e-3 * scene->particles.spacing;
@@ -91,23 +69,20 @@ double fill_cell_volume(const struct scene *scene, const struct scene_body *body
 {
     double low[3], high[3], d = scene->particles.spacing, volume = d * d * d;
     long n[3];
-    body_bounds(body, low, high);
+    shape_bounds(&body->shape, low, high);
     lattice_size(d, low, high, n);
-    if (body->shape == BODY_BOX || body->fill == FILL_RANDOM)
+    if (body->shape.kind == SHAPE_BOX || body->fill == FILL_RANDOM)
         for (int a = 0; a < 3; a++)
             volume *= (high[a] - low[a]) / ((double)n[a] * d);
     return volume;
 }
 
 /* Room for about `points` from the start, so that growing does not hold twice the memory. */
-static enum status fill_reserve(struct fill *fill, double points, size_t *capacity,
-                                struct error *e)
+static enum status fill_reserve(struct fill *fill, double points, struct error *e)
 {
-    size_t room = (size_t)(points * 1.01) + 64;
-    *fill = (struct fill){0};
-    fill->point = memory_create("start points", room, sizeof *fill->point, e);
-    fill->body = fill->point ? memory_create("start points", room, sizeof *fill->body, e) : NULL;
-    *capacity = room;
+    *fill = (struct fill){.room = (size_t)(points * 1.01) + 64};
+    fill->point = memory_create("start points", fill->room, sizeof *fill->point, e);
+    fill->body = fill->point ? memory_create("start points", fill->room, sizeof *fill->body, e) : NULL;
     if (!fill->body)
         fill_free(fill);
     return fill->body ? STATUS_OK : e->status;
@@ -116,25 +91,33 @@ static enum status fill_reserve(struct fill *fill, double points, size_t *capaci
 double fill_bodies_estimate(const struct scene *scene)
 {
     static const double part[] = {
-        [BODY_BOX] = 1, [BODY_SPHERE] = 0.5236, [BODY_CYLINDER] = 0.7854}; /* of the bounds */
+        [SHAPE_BOX] = 1, [SHAPE_SPHERE] = 0.5236, [SHAPE_CYLINDER] = 0.7854}; /* of the bounds */
     double points = 0;
     for (size_t k = 0; k < scene->body_count; k++) {
         double low[3], high[3];
         long n[3];
-        body_bounds(&scene->bodies[k], low, high);
+        shape_bounds(&scene->bodies[k].shape, low, high);
         lattice_size(scene->particles.spacing, low, high, n);
-        points += part[scene->bodies[k].shape] * (double)n[0] * (double)n[1] * (double)n[2];
+        points += part[scene->bodies[k].shape.kind] * (double)n[0] * (double)n[1] * (double)n[2];
     }
     return points;
 }
 
-static enum status fill_body(const struct scene *scene, int index, struct fill *fill,
-                             size_t *capacity, struct error *e)
+/* A body whose particles all start in obstacles. */
+static enum status fail_empty(const struct scene *scene, size_t body, struct error *e)
 {
+    return scene_fail_at(scene, scene->bodies[body].place, e, "bodies.%zu lies in obstacles and has no particle; "
+                         "move or remove it, or an obstacle", body);
+}
+
+static enum status fill_body(const struct fill_solids *solids, int index, struct fill *fill, struct error *e)
+{
+    const struct scene *scene = solids->scene;
     const struct scene_body *b = &scene->bodies[index];
     double low[3], high[3], d = scene->particles.spacing;
+    size_t before = fill->count;
     long n[3];
-    body_bounds(b, low, high);
+    shape_bounds(&b->shape, low, high);
     lattice_size(d, low, high, n);
     uint64_t total = (uint64_t)n[0] * (uint64_t)n[1] * (uint64_t)n[2];
     for (uint64_t k = 0; k < total; k++) {
@@ -146,26 +129,29 @@ static enum status fill_body(const struct scene *scene, int index, struct fill *
             if (b->fill == FILL_RANDOM)
                 p[a] = low[a] + (high[a] - low[a]) * random_unit(b->seed, k, (uint64_t)a);
             else
-                p[a] = low[a] + ((double)cell[a] + 0.5) * (b->shape == BODY_BOX ? pitch : d);
+                p[a] = low[a] + ((double)cell[a] + 0.5) * (b->shape.kind == SHAPE_BOX ? pitch : d);
         }
-        if (!body_contains(b, p))
+        if (!shape_contains(&b->shape, p) || !fill_is_free(solids, p))
             continue;
         for (int a = 0; a < 3 && b->jitter > 0; a++)
             p[a] += d * b->jitter * random_normal(b->seed, k, (uint64_t)a + 3);
-        keep_inside(scene, p);
-        if (fill_push(fill, capacity, p, index, e))
+        fill_keep_inside(scene, p);
+        if (scene->obstacle_count && !fill_make_room(solids, p))
+            continue;
+        if (fill_add(fill, p, index, e))
             return e->status;
     }
-    return STATUS_OK;
+    return fill->count > before || !scene->obstacle_count ? STATUS_OK : fail_empty(scene, (size_t)index, e);
 }
 
 enum status fill_bodies(const struct scene *scene, struct fill *fill, struct error *e)
 {
-    size_t capacity;
-    if (fill_reserve(fill, fill_bodies_estimate(scene), &capacity, e))
+    struct fill_solids solids;
+    fill_solids_make(&solids, scene);
+    if (fill_reserve(fill, fill_bodies_estimate(scene), e))
         return e->status;
     for (size_t b = 0; b < scene->body_count; b++)
-        if (fill_body(scene, (int)b, fill, &capacity, e)) {
+        if (fill_body(&solids, (int)b, fill, e)) {
             fill_free(fill);
             return e->status;
         }
@@ -202,7 +188,6 @@ enum status fill_walls(const struct scene *scene, double depth, struct fill *fil
 {
     const double *low = scene->domain.min;
     long n[3], start[3], stop[3];
-    size_t capacity = 0;
     *fill = (struct fill){0};
     wall_lattice(scene, depth, n, start, stop);
     for (long z = start[2]; z < stop[2]; z++)
@@ -220,7 +205,7 @@ enum status fill_walls(const struct scene *scene, double depth, struct fill *fil
                     x = n[0] - 1;
                     continue;
                 }
-                if (fill_push(fill, &capacity, p, -1, e)) {
+                if (fill_add(fill, p, -1, e)) {
                     fill_free(fill);
                     return e->status;
                 }

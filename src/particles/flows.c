@@ -1,7 +1,6 @@
 /* The table of start velocity fields, and their use by a body. */
 #include "particles/flows.h"
 
-#include "scene/load.h"
 
 #include <math.h>
 
@@ -62,7 +61,7 @@ double flow_fastest(const struct scene_body *body)
     enum { STEPS = 16 };
     double most = 0, min[3], max[3];
     int steps = row_of(body)->velocity ? STEPS : 0; /* one point will do for a uniform velocity */
-    body_bounds(body, min, max);
+    shape_bounds(&body->shape, min, max);
     for (int z = 0; z <= steps; z++)
         for (int y = 0; y <= steps; y++)
             for (int x = 0; x <= steps; x++) {

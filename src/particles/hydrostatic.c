@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "particles/flows.h"
-#include "scene/load.h"
 
 #include <math.h>
 
@@ -30,12 +29,12 @@ static double shared_area(double min[2][3], double max[2][3], int axis)
 static double covered_area(const struct hydrostatic *h, size_t body, int face, double at)
 {
     double area = 0, min[2][3], max[2][3];
-    body_bounds(&h->scene->bodies[body], min[0], max[0]);
+    shape_bounds(&h->scene->bodies[body].shape, min[0], max[0]);
     for (size_t b = 0; b < h->scene->body_count; b++) {
         const struct scene_body *other = &h->scene->bodies[b];
-        if (!h->body[b] || other->shape != BODY_BOX || (h->axis < 0 && b != body))
+        if (!h->body[b] || other->shape.kind != SHAPE_BOX || (h->axis < 0 && b != body))
             continue;
-        body_bounds(other, min[1], max[1]);
+        shape_bounds(&other->shape, min[1], max[1]);
         if (touch(h, face & 1 ? min[1][face / 2] : max[1][face / 2], at))
             area += shared_area(min, max, face / 2);
     }
@@ -48,8 +47,8 @@ static bool face_held(const struct hydrostatic *h, size_t body, int face)
     const struct scene_body *box = &h->scene->bodies[body];
     int a = face / 2, b = (a + 1) % 3, c = (a + 2) % 3;
     const double *low = h->scene->domain.min, *high = h->scene->domain.max;
-    double at = face & 1 ? box->max[a] : box->min[a];
-    double wide = box->max[b] - box->min[b], deep = box->max[c] - box->min[c];
+    double at = face & 1 ? box->shape.max[a] : box->shape.min[a];
+    double wide = box->shape.max[b] - box->shape.min[b], deep = box->shape.max[c] - box->shape.min[c];
     if (touch(h, at, face & 1 ? high[a] : low[a])) {
         if (h->scene->domain.walls[face] != WALL_PERIODIC)
             return true;
@@ -113,7 +112,7 @@ enum status hydrostatic_create(struct hydrostatic *h, const struct scene *scene,
     bool can_rest = h->gravity > 0 && !falls_for_ever(h);
     for (size_t b = 0; b < scene->body_count; b++) {
         const struct scene_body *body = &scene->bodies[b];
-        bool tank = can_rest && body->shape == BODY_BOX && flow_still(body);
+        bool tank = can_rest && body->shape.kind == SHAPE_BOX && flow_still(body);
         h->body[b] = body->start == START_HYDROSTATIC || (body->start == START_AUTO && tank);
     }
     let_go(h);
@@ -144,7 +143,7 @@ static int body_above(const struct hydrostatic *h, const double x[3], double top
         bool above = h->body[b];
         if (!above)
             continue;
-        body_bounds(&h->scene->bodies[b], min, max);
+        shape_bounds(&h->scene->bodies[b].shape, min, max);
         for (int a = 0; a < 3; a++)
             above = above && (a == h->axis || (x[a] >= min[a] && x[a] <= max[a]));
         if (above && touch(h, level(h, min, max, false), top))
@@ -159,14 +158,14 @@ double hydrostatic_pressure(const struct hydrostatic *h, size_t body, const doub
     double min[3], max[3], inside[3], at = 0, pressure = 0;
     if (!h->body[body])
         return 0;
-    body_bounds(&scene->bodies[body], min, max);
+    shape_bounds(&scene->bodies[body].shape, min, max);
     for (int a = 0; a < 3; a++) { /* a displaced particle may lie just outside */
         inside[a] = fmin(fmax(x[a], min[a]), max[a]);
         at += h->up[a] * inside[a];
     }
     int b = (int)body;
     for (size_t layers = 0; b >= 0 && layers <= scene->body_count; layers++) {
-        body_bounds(&scene->bodies[b], min, max);
+        shape_bounds(&scene->bodies[b].shape, min, max);
         double top = level(h, min, max, true);
         double depth = fmax(0, top - at);
         pressure += scene->fluids[scene->bodies[b].fluid].density * h->gravity * depth;

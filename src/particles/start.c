@@ -42,18 +42,18 @@ static double round_pressure(const struct scene *scene, const struct space *spac
                              const struct scene_body *body, const double x[3])
 {
     const struct scene_fluid *fluid = &scene->fluids[body->fluid];
-    double omega = scene->central_force.frequency, left = body->radius * body->radius;
-    bool sphere = body->shape == BODY_SPHERE, centred = true;
-    if (body->shape == BODY_BOX)
+    double omega = scene->central_force.frequency, left = body->shape.radius * body->shape.radius;
+    bool sphere = body->shape.kind == SHAPE_SPHERE, centred = true;
+    if (body->shape.kind == SHAPE_BOX)
         return 0;
     for (int a = 0; a < 3; a++) {
-        bool across = sphere || a != body->axis;
-        centred = centred && (across ? body->center[a] == scene->central_force.center[a] &&
+        bool across = sphere || a != body->shape.axis;
+        centred = centred && (across ? body->shape.center[a] == scene->central_force.center[a] &&
                                            !space->periodic[a]
                                      : space->periodic[a]);
-        left -= across ? (x[a] - body->center[a]) * (x[a] - body->center[a]) : 0;
+        left -= across ? (x[a] - body->shape.center[a]) * (x[a] - body->shape.center[a]) : 0;
     }
-    double pressure = (sphere ? 2 : 1) * fluid->surface_tension / body->radius;
+    double pressure = (sphere ? 2 : 1) * fluid->surface_tension / body->shape.radius;
     return pressure + (centred ? fluid->density * omega * omega * fmax(left, 0) / 2 : 0);
 }
 

@@ -54,7 +54,7 @@ static bool blend_make(const struct wire_layer *layer, bool parallel, const floa
     if (!(fabs(area) > 0) || !isfinite(area))
         return false;
     *out = (struct blend){.half_width = layer->half_width, .cover = layer->color[3],
-                          .behind = layer->behind, .parallel = parallel,
+                          .behind = layer->behind, .solid = layer->solid, .parallel = parallel,
                           .left = bound(low[0], width), .right = bound(high[0] + 1, width),
                           .top = bound(low[1], height), .bottom = bound(high[1] + 1, height)};
     memcpy(out->color, layer->color, 3 * sizeof *out->color);

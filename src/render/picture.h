@@ -30,6 +30,7 @@ struct blend {
     float color[4], cover;
     bool parallel;
     bool behind;                  /* where a sphere is in front, not where it is nearer */
+    bool solid;                   /* hides what comes after it, as a sphere does */
     int left, right, top, bottom; /* right and bottom are not in */
 };
 

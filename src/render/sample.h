@@ -138,11 +138,17 @@ static inline struct span span_make(const struct blend *b, int left, int row)
     return s;
 }
 
-/* How much it covers of sample i of the tile's row, where a sphere is seen at depth `seen`. */
+/* Its depth at sample i of the tile's row. */
+static inline float span_depth(const struct span *s, int i)
+{
+    float value = s->near + s->near_x * (float)i;
+    return s->parallel > 0 ? value : 1 / value;
+}
+
+/* How much it covers of that sample, where a sphere is seen at depth `seen`. */
 static inline float span_part(const struct span *s, int i, float seen)
 {
-    float value = s->near + s->near_x * (float)i, depth = s->parallel > 0 ? value : 1 / value;
-    float apart = s->sign * (seen - depth);
+    float apart = s->sign * (seen - span_depth(s, i));
     float soft = s->half - fabsf(s->side + s->side_x * (float)i);
     soft = soft < 0 ? 0 : soft;
     soft = soft > 1 ? 1 : soft;

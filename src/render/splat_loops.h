@@ -198,7 +198,7 @@ static inline void span_blend(const struct blend *b, struct tile *tile, int plan
                               int end)
 {
     const struct span span = span_make(b, tile->left, tile->top + y);
-    const float *restrict seen = tile->depth[y];
+    float *restrict seen = tile->depth[y];
     float part[TILE];
 #pragma omp simd
     for (int i = x; i < end; i++)
@@ -210,6 +210,8 @@ static inline void span_blend(const struct blend *b, struct tile *tile, int plan
         for (int i = x; i < end; i++)
             color[i] += part[i] * (ink - color[i]);
     }
+    for (int i = x; i < end && b->solid; i++)
+        seen[i] = part[i] > 0 ? span_depth(&span, i) : seen[i];
 }
 
 /* Samples x..end of row y that are in the triangle. */

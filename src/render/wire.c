@@ -1,9 +1,11 @@
-/* Chooses what is drawn of the domain, layer by layer from the back. */
+/* Chooses what is drawn of the domain: obstacles, then layer by layer from the back. */
 #include "render/wire.h"
 
+#include "render/solids.h"
 #include "render/ticks.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* What a layer is made with. */
@@ -24,7 +26,7 @@ static enum floor_style floor_style_of(const struct scene *scene)
 
 bool wire_wanted(const struct scene *scene)
 {
-    return scene->render.box || floor_style_of(scene) != FLOOR_NONE;
+    return scene->render.box || floor_style_of(scene) != FLOOR_NONE || solids_wanted(scene);
 }
 
 /* The floor is the face that gravity points to; without gravity, the one opposite to up. */
@@ -55,14 +57,34 @@ static bool face_is_back(const struct drawing *d, int axis, bool at_max)
     return at_max ? toward < 0 : toward > 0;
 }
 
-/* Ends the layer of the vertices since the last one. */
+/* Room for another layer; false when memory is short. */
+static bool layer_room(struct wire *w)
+{
+    if (w->count < w->room)
+        return true;
+    size_t room = w->room ? 2 * w->room : 16;
+    void *larger = realloc(w->layers, room * sizeof *w->layers);
+    w->mesh.failed = w->mesh.failed || !larger;
+    if (!larger)
+        return false;
+    w->layers = larger;
+    w->room = room;
+    return true;
+}
+
+void wire_layer_end(struct wire *w, struct wire_layer layer)
+{
+    layer.first = w->count ? w->layers[w->count - 1].first + w->layers[w->count - 1].count : 0;
+    layer.count = w->mesh.count - layer.first;
+    if (layer_room(w))
+        w->layers[w->count++] = layer;
+}
+
+/* The same in ink. */
 static void layer_end(const struct drawing *d, float half_width, float alpha, bool back)
 {
-    struct wire *w = d->wire;
-    size_t first = w->count ? w->layers[w->count - 1].first + w->layers[w->count - 1].count : 0;
-    w->layers[w->count++] = (struct wire_layer){
-        .first = first, .count = w->mesh.count - first, .half_width = half_width,
-        .color = {d->ink, d->ink, d->ink, alpha}, .back = back};
+    wire_layer_end(d->wire, (struct wire_layer){.half_width = half_width, .back = back,
+                                                .color = {d->ink, d->ink, d->ink, alpha}});
 }
 
 static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}; /* corners of a rectangle */
@@ -181,8 +203,7 @@ static void floor_make(const struct drawing *d, int axis, bool at_max)
     }
     if (d->scene->render.shadow > 0) {
         shadow_draw(d, (struct shadow_floor){axis, at_max});
-        layer_end(d, 0, (float)d->scene->render.shadow, false);
-        memset(d->wire->layers[d->wire->count - 1].color, 0, 3 * sizeof(float));
+        wire_layer_end(d->wire, (struct wire_layer){.color = {0, 0, 0, (float)d->scene->render.shadow}});
     }
 }
 
@@ -218,6 +239,8 @@ static void edges_make(const struct drawing *d, bool back)
 static void layer_repeat(const struct drawing *d, float alpha)
 {
     struct wire *w = d->wire;
+    if (!w->count || !layer_room(w))
+        return;
     struct wire_layer layer = w->layers[w->count - 1];
     layer.color[3] = alpha;
     layer.behind = true;
@@ -240,6 +263,7 @@ enum status wire_make(struct wire *w, const struct wire_view *view, struct error
     d.view.camera.height *= view->samples;
     w->mesh.count = w->count = 0;
     w->parallel = camera->orthographic;
+    solids_make(w, scene, &d.view);
     floor_find(scene, &axis, &at_max);
     bool floored = floor_style_of(scene) != FLOOR_NONE;
     if (floored && face_is_back(&d, axis, at_max))
@@ -258,4 +282,7 @@ enum status wire_make(struct wire *w, const struct wire_view *view, struct error
 void wire_free(struct wire *w)
 {
     mesh_free(&w->mesh);
+    free(w->layers);
+    w->layers = NULL;
+    w->count = w->room = 0;
 }

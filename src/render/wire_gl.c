@@ -44,6 +44,7 @@ void wire_close(struct wire_gl *w, const struct gl *gl)
 static void layer_draw(const struct wire_gl *w, const struct gl *gl, const struct wire_layer *layer)
 {
     const float *c = layer->color;
+    gl->DepthMask(layer->solid);
     gl->DepthFunc(layer->behind ? GL_GEQUAL : GL_LESS);
     gl->Uniform1f(w->half_width, layer->half_width);
     gl->Uniform4f(w->color, c[0], c[1], c[2], c[3]);
@@ -64,7 +65,6 @@ enum status wire_draw(struct wire_gl *w, const struct gl *gl, const struct wire_
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(wire->mesh.count * sizeof *wire->mesh.vertex),
                    wire->mesh.vertex, GL_STREAM_DRAW);
     gl->Enable(GL_DEPTH_TEST);
-    gl->DepthMask(0);
     gl->Enable(GL_BLEND);
     gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (size_t i = 0; i < wire->count; i++)

@@ -2,6 +2,7 @@
 #include "run/budget.h"
 
 #include "base/machine.h"
+#include "particles/fill_obstacles.h"
 #include "render/render.h"
 #include "run/film.h"
 
@@ -64,7 +65,8 @@ enum status budget_check(const struct plan *plan, bool asks_device, struct error
 {
     const struct scene *scene = plan->scene;
     double fluid = fill_bodies_estimate(scene), d = scene->particles.spacing;
-    double wall = fill_walls_estimate(scene, plan->choice.support);
+    double wall = fill_walls_estimate(scene, plan->choice.support) +
+                  fill_obstacles_estimate(scene, plan->choice.support);
     double bytes = fluid * fluid_bytes(plan) + wall * wall_bytes();
     const char *what;
     double have = machine_memory(&what), most = fmax(fluid, wall);

@@ -2,10 +2,12 @@
 #include "run/plan.h"
 
 #include "base/memory.h"
+#include "particles/fill_obstacles.h"
 #include "particles/start.h"
 #include "run/budget.h"
 #include "run/film.h"
 #include "run/plan_color.h"
+#include "run/plan_obstacles.h"
 
 #include <math.h>
 #include <string.h>
@@ -212,7 +214,7 @@ static enum status plan_budget(const struct plan *plan, const struct run_options
     static const size_t particles[FLUIDS_MAX];
     struct plan trial = *plan;
     solver_choose(plan->solver, plan->scene, &plan->space, volume, particles, &trial.choice);
-    if (check_choice(plan, &trial.choice, e))
+    if (check_choice(plan, &trial.choice, e) || plan_obstacles(plan->scene, trial.choice.support, e))
         return e->status;
     plan_passes(&trial);
     if (plan_color(&trial, options, e))
@@ -263,7 +265,8 @@ static enum status plan_particles(struct plan *plan, struct error *e)
     const struct kernel_row *kernel;
     double support = solver_support(plan->solver, scene, &kernel), volume[FLUIDS_MAX];
     size_t particles[FLUIDS_MAX];
-    if (fill_bodies(scene, &plan->bodies, e) || fill_walls(scene, support, &plan->walls, e))
+    if (fill_bodies(scene, &plan->bodies, e) || fill_walls(scene, support, &plan->walls, e) ||
+        fill_obstacles(scene, support, &plan->walls, e))
         return e->status;
     start_count(scene, &plan->bodies, volume, particles);
     solver_choose(plan->solver, scene, &plan->space, volume, particles, &plan->choice);

@@ -139,6 +139,8 @@ void plan_write(const struct plan *plan, FILE *out)
     fprintf(out, "particles      %zu, spacing %.4g m", plan->bodies.count, c->spacing);
     if (plan->walls.count)
         fprintf(out, "; %zu wall particles", plan->walls.count);
+    if (plan->scene->obstacle_count)
+        fprintf(out, ", %zu obstacle%s", plan->scene->obstacle_count, plan->scene->obstacle_count > 1 ? "s" : "");
     fprintf(out, "\nsolver         %s, kernel %s, support radius %.4g m (%.3g spacings, %d lattice "
                  "neighbours)\n",
             plan->solver->variant.name, c->kernel->variant.name, c->support, ratio,

@@ -159,7 +159,7 @@ static enum status check_amount(struct load *load)
     const struct scene *s = load->scene;
     double volume = 0, d = s->particles.spacing;
     for (size_t i = 0; i < s->body_count; i++)
-        volume += body_volume(&s->bodies[i]);
+        volume += shape_volume(&s->bodies[i].shape);
     if (volume / (d * d * d) > particle_limit)
         return load_fail(load, load_place(load, "particles.spacing"), "particles.spacing %g m "
                          "would make %.3g particles; at most %.0f can be numbered, so spacing %.3g or "
@@ -172,7 +172,7 @@ enum status check_scene(struct load *load)
 {
     static enum status (*const checks[])(struct load *) = {
         check_domain, check_walls, check_wall_velocity, check_fluids, resolve_fluids, check_times,
-        check_camera, check_color, check_amount, check_bodies, check_measures};
+        check_camera, check_color, check_amount, check_bodies, check_obstacles, check_measures};
     enum status status = STATUS_OK;
     for (size_t i = 0; i < sizeof checks / sizeof *checks && !status; i++)
         status = checks[i](load);

@@ -7,6 +7,7 @@
 #define IN(member) offsetof(struct scene, member)
 #define FLUID(member) offsetof(struct scene_fluid, member)
 #define BODY(member) offsetof(struct scene_body, member)
+#define OBSTACLE(member) offsetof(struct scene_obstacle, member)
 #define MEASURE(member) offsetof(struct scene_measure, member)
 #define LABEL(member) offsetof(struct scene_label, member)
 #define LABEL_PLACES "top-left|top|top-right|bottom-left|bottom|bottom-right"
@@ -22,8 +23,21 @@
      "velocity along itself of the closed wall at the " name " face, which drags (no_slip)", \
      IN(domain.wall_velocity) + index * 3 * sizeof(double)}
 
+#define SHAPED(array, IN_ELEMENT, doc) \
+    {array "[].shape", KEY_ENUM, 0, NULL, ANY, "", "box|sphere|cylinder", doc, IN_ELEMENT(shape.kind)}, \
+    {array "[].min", KEY_VEC3, 0, NULL, ANY, "m", NULL, "box: lowest corner", IN_ELEMENT(shape.min)}, \
+    {array "[].max", KEY_VEC3, 0, NULL, ANY, "m", NULL, "box: highest corner", IN_ELEMENT(shape.max)}, \
+    {array "[].center", KEY_VEC3, 0, NULL, ANY, "m", NULL, "sphere, cylinder: its middle", \
+     IN_ELEMENT(shape.center)}, \
+    {array "[].radius", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL, "sphere, cylinder", \
+     IN_ELEMENT(shape.radius)}, \
+    {array "[].height", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL, \
+     "cylinder: full length along its axis", IN_ELEMENT(shape.height)}, \
+    {array "[].axis", KEY_ENUM, 0, "\"y\"", ANY, "", "x|y|z", "cylinder: its axis", \
+     IN_ELEMENT(shape.axis)}
+
 /* An enum is stored through an int. */
-_Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum body_shape) == sizeof(int) &&
+_Static_assert(sizeof(enum wall_kind) == sizeof(int) && sizeof(enum shape_kind) == sizeof(int) &&
                sizeof(enum body_fill) == sizeof(int) &&
                sizeof(enum body_start) == sizeof(int) && sizeof(enum color_spread) == sizeof(int) &&
                sizeof(enum label_place) == sizeof(int) && sizeof(enum box_style) == sizeof(int) &&
@@ -81,17 +95,7 @@ const struct key scene_core_keys[] = {
 
     {"bodies[].fluid", KEY_TEXT, 0, "\"\"", ANY, "", NULL,
      "name of its fluid; empty: the first", BODY(fluid_name)},
-    {"bodies[].shape", KEY_ENUM, 0, NULL, ANY, "", "box|sphere|cylinder",
-     "what is filled with particles", BODY(shape)},
-    {"bodies[].min", KEY_VEC3, 0, NULL, ANY, "m", NULL, "box: lowest corner", BODY(min)},
-    {"bodies[].max", KEY_VEC3, 0, NULL, ANY, "m", NULL, "box: highest corner", BODY(max)},
-    {"bodies[].center", KEY_VEC3, 0, NULL, ANY, "m", NULL,
-     "sphere, cylinder: its middle", BODY(center)},
-    {"bodies[].radius", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL,
-     "sphere, cylinder", BODY(radius)},
-    {"bodies[].height", KEY_REAL, KEY_ABOVE_MIN, NULL, FROM(0), "m", NULL,
-     "cylinder: full length along its axis", BODY(height)},
-    {"bodies[].axis", KEY_ENUM, 0, "\"y\"", ANY, "", "x|y|z", "cylinder: its axis", BODY(axis)},
+    SHAPED("bodies", BODY, "what is filled with particles"),
     {"bodies[].fill", KEY_ENUM, 0, "\"grid\"", ANY, "", "grid|random",
      "particles on a lattice, or at random", BODY(fill)},
     {"bodies[].jitter", KEY_REAL, 0, "0", 0, 0.5, "spacings", NULL,
@@ -111,6 +115,12 @@ const struct key scene_core_keys[] = {
     {"bodies[].start", KEY_ENUM, 0, "\"auto\"", ANY, "", "auto|rest|hydrostatic",
      "pressure at the start: none; by the weight of the fluid above (with the flow's); auto: "
      "hydrostatic in a settled tank, else the flow's", BODY(start)},
+
+    SHAPED("obstacles", OBSTACLE, "of a solid that stands still, round which fluid flows"),
+    {"obstacles[].color", KEY_VEC3, 0, "[0.62, 0.60, 0.57]", 0, 1, "", NULL, "red, green, blue",
+     OBSTACLE(color)},
+    {"obstacles[].visible", KEY_BOOL, 0, "true", ANY, "", NULL, "whether it is drawn",
+     OBSTACLE(visible)},
 
     {"measure[].quantity", KEY_CHOICE, 0, NULL, ANY, "", "measures",
      "what the columns of a csv output hold", MEASURE(quantity)},
@@ -256,33 +266,44 @@ const struct key scene_core_keys[] = {
 const size_t scene_core_key_count = sizeof scene_core_keys / sizeof *scene_core_keys;
 
 const struct key_array scene_arrays[ARRAY_COUNT] = {
-    {"fluids", "fluids[].", IN(fluids), IN(fluid_count), sizeof(struct scene_fluid)},
-    {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body)},
-    {"measure", "measure[].", IN(measures), IN(measure_count), sizeof(struct scene_measure)},
-    {"labels", "labels[].", IN(labels), IN(label_count), sizeof(struct scene_label)},
+    {"fluids", "fluids[].", IN(fluids), IN(fluid_count), sizeof(struct scene_fluid), KEY_SHAPELESS},
+    {"bodies", "bodies[].", IN(bodies), IN(body_count), sizeof(struct scene_body), BODY(shape)},
+    {"obstacles", "obstacles[].", IN(obstacles), IN(obstacle_count), sizeof(struct scene_obstacle),
+     OBSTACLE(shape)},
+    {"measure", "measure[].", IN(measures), IN(measure_count), sizeof(struct scene_measure),
+     KEY_SHAPELESS},
+    {"labels", "labels[].", IN(labels), IN(label_count), sizeof(struct scene_label), KEY_SHAPELESS},
     {"camera.keyframes", "camera.keyframes[].", IN(keyframes), IN(keyframe_count),
-     sizeof(struct scene_keyframe)},
+     sizeof(struct scene_keyframe), KEY_SHAPELESS},
 };
 
-enum { BOX = 1 << BODY_BOX, SPHERE = 1 << BODY_SPHERE, CYLINDER = 1 << BODY_CYLINDER };
-static const struct { const char *path; unsigned shapes; } shaped[] = {
-    {"bodies[].min", BOX},
-    {"bodies[].max", BOX},
-    {"bodies[].center", SPHERE | CYLINDER},
-    {"bodies[].radius", SPHERE | CYLINDER},
-    {"bodies[].height", CYLINDER},
-    {"bodies[].axis", CYLINDER},
+enum { BOX = 1 << SHAPE_BOX, SPHERE = 1 << SHAPE_SPHERE, CYLINDER = 1 << SHAPE_CYLINDER };
+static const struct { const char *name; unsigned shapes; } shaped[] = {
+    {"min", BOX},
+    {"max", BOX},
+    {"center", SPHERE | CYLINDER},
+    {"radius", SPHERE | CYLINDER},
+    {"height", CYLINDER},
+    {"axis", CYLINDER},
 };
+
+/* Whether the key belongs to the elements of the array, and they have a shape. */
+static bool in_shaped_array(const struct key *key, const struct key_array *array)
+{
+    return array->shape != KEY_SHAPELESS &&
+           strncmp(key->path, array->prefix, strlen(array->prefix)) == 0;
+}
 
 static unsigned shapes_of(const struct key *key)
 {
-    for (size_t i = 0; i < sizeof shaped / sizeof *shaped; i++)
-        if (strcmp(shaped[i].path, key->path) == 0)
-            return shaped[i].shapes;
+    for (int a = 0; a < ARRAY_COUNT; a++)
+        for (size_t i = 0; i < sizeof shaped / sizeof *shaped && in_shaped_array(key, &scene_arrays[a]); i++)
+            if (strcmp(shaped[i].name, key->path + strlen(scene_arrays[a].prefix)) == 0)
+                return shaped[i].shapes;
     return BOX | SPHERE | CYLINDER;
 }
 
-bool key_fits_shape(const struct key *key, enum body_shape shape)
+bool key_fits_shape(const struct key *key, enum shape_kind shape)
 {
     return shapes_of(key) >> shape & 1;
 }
@@ -290,4 +311,10 @@ bool key_fits_shape(const struct key *key, enum body_shape shape)
 bool key_is_shaped(const struct key *key)
 {
     return shapes_of(key) != (BOX | SPHERE | CYLINDER);
+}
+
+bool key_fits_element(const struct key *key, const struct key_array *array, const void *element)
+{
+    const struct shape *shape = (const void *)((const char *)element + array->shape);
+    return array->shape == KEY_SHAPELESS || key_fits_shape(key, shape->kind);
 }

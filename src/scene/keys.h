@@ -17,14 +17,18 @@ struct key_array {
     const char *prefix; /* of its keys: "fluids[]." */
     size_t items, count; /* offsets of the pointer and of the size_t */
     size_t size;        /* bytes of one element */
+    size_t shape;       /* offset in it of its struct shape, or KEY_SHAPELESS */
 };
-enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_MEASURE, ARRAY_LABELS, ARRAY_KEYFRAMES, ARRAY_COUNT };
+#define KEY_SHAPELESS ((size_t)-1)
+enum { ARRAY_FLUIDS, ARRAY_BODIES, ARRAY_OBSTACLES, ARRAY_MEASURE, ARRAY_LABELS, ARRAY_KEYFRAMES, ARRAY_COUNT };
 extern const struct key_array scene_arrays[ARRAY_COUNT];
 
-/* Whether a body of this shape reads the key; keys that no shape owns are read by all. */
-bool key_fits_shape(const struct key *key, enum body_shape shape);
+/* Whether an element of this shape reads the key; keys that no shape owns are read by all. */
+bool key_fits_shape(const struct key *key, enum shape_kind shape);
 /* Whether only some shapes read the key. */
 bool key_is_shaped(const struct key *key);
+/* The same of an element's memory; all read what no shape owns. */
+bool key_fits_element(const struct key *key, const struct key_array *array, const void *element);
 
 struct key_entry {
     const struct key *key;

@@ -15,6 +15,14 @@ static int place_offset(const struct load *load, struct place place)
     return node ? node->start - (node->kind == JSON_STRING) : 0;
 }
 
+struct scene_place load_position(const struct load *load, struct place place)
+{
+    struct scene_place at = {0};
+    if (place.doc == &load->file)
+        json_position(&load->file, place_offset(load, place), &at.line, &at.column);
+    return at;
+}
+
 enum status load_fail(struct load *load, struct place place, const char *format, ...)
 {
     char text[1500];
@@ -93,18 +101,16 @@ static enum status fill_globals(struct load *load)
 
 /* A key of another shape: says which shapes read it. */
 static enum status wrong_shape(struct load *load, struct place said, const struct key *key,
-                               const char *path, enum body_shape shape)
+                               const char *path, const struct shape *shape)
 {
-    const struct key *shapes = load->keys.items[key_list_find(&load->keys, "bodies[].shape")].key;
-    char own[KEY_TEXT_SIZE], other[KEY_TEXT_SIZE], fitting[200] = "";
-    key_word_at(shapes->choices, (int)shape, own);
-    for (int i = 0; key_word_at(shapes->choices, i, other), other[0]; i++) {
+    char fitting[200] = "";
+    for (int i = SHAPE_BOX; i <= SHAPE_CYLINDER; i++) {
         size_t n = strlen(fitting);
-        if (key_fits_shape(key, (enum body_shape)i))
-            snprintf(fitting + n, sizeof fitting - n, "%s%s", n ? " or " : "", other);
+        if (key_fits_shape(key, (enum shape_kind)i))
+            snprintf(fitting + n, sizeof fitting - n, "%s%s", n ? " or " : "", shape_words[i]);
     }
-    return load_fail(load, said, "%s is for shape %s only, and this body's shape is %s; remove the "
-                     "key or change the shape", path, fitting, own);
+    return load_fail(load, said, "%s is for shape %s only, and the shape here is %s; remove the key or "
+                     "change the shape", path, fitting, shape_words[shape->kind]);
 }
 
 /* A key is said although no variant that reads it is chosen. `label` is what messages call the
@@ -162,11 +168,10 @@ static enum status fill_element(struct load *load, int array, size_t element, vo
             continue;
         }
         /* The row of the shape stands before those that depend on it. */
-        enum body_shape shape =
-            array == ARRAY_BODIES ? ((struct scene_body *)memory)->shape : BODY_BOX;
-        if (array == ARRAY_BODIES && key_is_shaped(key) && !key_fits_shape(key, shape)) {
+        if (!key_fits_element(key, &scene_arrays[array], memory)) {
             if (said.doc)
-                status = wrong_shape(load, said, key, path, shape);
+                status = wrong_shape(load, said, key, path,
+                                     (const void *)((char *)memory + scene_arrays[array].shape));
             continue;
         }
         status = fill_value(load, key, path, said, a->elements[element],
@@ -211,9 +216,7 @@ static enum status fill_options(struct load *load)
         struct scene_option *option = &scene->options[scene->option_count++];
         snprintf(option->path, sizeof option->path, "%s", key->path);
         option->type = key->type;
-        if (load->said[i].doc == &load->file)
-            json_position(&load->file, place_offset(load, load->said[i]), &option->line,
-                          &option->column);
+        option->place = load_position(load, load->said[i]);
         enum status status = fill_value(load, key, key->path, load->said[i],
                                         holder(load, key->path), &option->value);
         if (status)
@@ -293,6 +296,7 @@ void scene_free(struct scene *scene)
         return;
     free(scene->fluids);
     free(scene->bodies);
+    free(scene->obstacles);
     free(scene->measures);
     free(scene->labels);
     free(scene->keyframes);

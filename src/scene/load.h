@@ -43,15 +43,17 @@ enum status load_fail(struct load *load, struct place place, const char *format,
 struct place load_place(const struct load *load, const char *path);
 struct place load_element_place(const struct load *load, int array, size_t i, const char *path);
 
+/* Line and column of a place, if it is in the scene file. */
+struct scene_place load_position(const struct load *load, struct place place);
+
 /* Semantic checks over a scene that is filled in. STATUS_USAGE. */
 enum status check_scene(struct load *load);
 enum status check_bodies(struct load *load);
+enum status check_obstacles(struct load *load);
 enum status check_measures(struct load *load);
 enum status check_camera(struct load *load);
 
-/* Volume of a body, m^3; its bounding box; whether two bodies share more than `slack` metres. */
-double body_volume(const struct scene_body *body);
-void body_bounds(const struct scene_body *body, double min[3], double max[3]);
-bool body_overlap(const struct scene_body *a, const struct scene_body *b, double slack);
+/* The same of the shape that element i of an array has. */
+enum status check_shape(struct load *load, int array, size_t i, const struct shape *shape);
 
 #endif

@@ -44,17 +44,33 @@ const double *scene_vector(const struct scene *scene, const char *path)
     return option ? option->value.vector : NULL;
 }
 
+static enum status fail(const struct scene *scene, struct scene_place place, struct error *e, const char *format,
+                        va_list args)
+{
+    char text[1500];
+    vsnprintf(text, sizeof text, format, args);
+    if (!place.line)
+        return error_set(e, STATUS_USAGE, "%.400s: %s", scene->source, text);
+    return error_set(e, STATUS_USAGE, "%.400s:%d:%d: %s", scene->source, place.line, place.column, text);
+}
+
 enum status scene_fail(const struct scene *scene, const char *path, struct error *e,
                        const char *format, ...)
 {
     const struct scene_option *option = option_find(scene, path);
-    char text[1500];
     va_list args;
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    fail(scene, option ? option->place : (struct scene_place){0}, e, format, args);
     va_end(args);
-    if (!option || !option->line)
-        return error_set(e, STATUS_USAGE, "%.400s: %s", scene->source, text);
-    return error_set(e, STATUS_USAGE, "%.400s:%d:%d: %s", scene->source, option->line,
-                     option->column, text);
+    return e->status;
+}
+
+enum status scene_fail_at(const struct scene *scene, struct scene_place place, struct error *e,
+                          const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    fail(scene, place, e, format, args);
+    va_end(args);
+    return e->status;
 }

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "scene/key.h"
+#include "scene/shape.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,7 +21,6 @@ enum wall_kind {
     WALL_PERIODIC   /* joined to the opposite face, which must be periodic too */
 };
 
-enum body_shape { BODY_BOX, BODY_SPHERE, BODY_CYLINDER };
 enum body_fill { FILL_GRID, FILL_RANDOM };
 enum body_start { START_AUTO, START_REST, START_HYDROSTATIC }; /* pressure at the start */
 
@@ -32,6 +32,8 @@ enum floor_style { FLOOR_AUTO, FLOOR_NONE, FLOOR_PLAIN, FLOOR_GRID, FLOOR_CHECKE
 enum label_place {
     LABEL_TOP_LEFT, LABEL_TOP, LABEL_TOP_RIGHT, LABEL_BOTTOM_LEFT, LABEL_BOTTOM, LABEL_BOTTOM_RIGHT
 };
+
+struct scene_place { int line, column; }; /* in the scene file; 0: not said there */
 
 struct scene_fluid {
     char name[KEY_TEXT_SIZE];
@@ -45,11 +47,7 @@ struct scene_fluid {
 struct scene_body {
     char fluid_name[KEY_TEXT_SIZE]; /* as written; never empty once loaded */
     int fluid;             /* index into fluids */
-    enum body_shape shape;
-    double min[3], max[3]; /* box */
-    double center[3];      /* m; sphere; middle of a cylinder's axis */
-    double radius, height; /* sphere and cylinder; cylinder's full height along axis */
-    int axis;              /* cylinder: 0 x, 1 y, 2 z */
+    struct shape shape;
     enum body_fill fill;
     double jitter;         /* standard deviation of displacement from the lattice, in spacings */
     uint64_t seed;
@@ -59,6 +57,17 @@ struct scene_body {
     double flow_length;    /* m */
     double flow_speed;     /* m/s */
     enum body_start start;
+    struct scene_place place;
+};
+
+enum { OBSTACLES_MAX = 64 };
+
+/* A solid that stands still in the domain: fluid flows round it. Obstacles may share space. */
+struct scene_obstacle {
+    struct shape shape;
+    double color[3];       /* 0..1 */
+    bool visible;          /* drawn */
+    struct scene_place place;
 };
 
 /* A measured quantity. What a quantity does not read is zero. */
@@ -96,7 +105,7 @@ enum camera_projection { PROJECTION_PERSPECTIVE, PROJECTION_ORTHOGRAPHIC };
 
 struct scene_option { /* a variant's own key, by path */
     char path[KEY_TEXT_SIZE];
-    int line, column;      /* of its value in the file; 0: not said there */
+    struct scene_place place; /* of its value */
     enum key_type type;
     union {
         bool flag;
@@ -128,6 +137,8 @@ struct scene {
     size_t fluid_count;    /* at least 1 */
     struct scene_body *bodies;
     size_t body_count;     /* may be 0 */
+    struct scene_obstacle *obstacles;
+    size_t obstacle_count; /* 0 .. OBSTACLES_MAX */
     struct scene_measure *measures;
     size_t measure_count;  /* may be 0 */
     struct scene_label *labels;
@@ -233,6 +244,10 @@ const double *scene_vector(const struct scene *scene, const char *path);
 /* Records "FILE:LINE:COL: message" where the file says the option, else "FILE: message". STATUS_USAGE. */
 enum status scene_fail(const struct scene *scene, const char *path, struct error *e,
                        const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* The same at a place that is known. */
+enum status scene_fail_at(const struct scene *scene, struct scene_place place, struct error *e,
+                          const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 /* Writes every key with its value in force, as a scene file that loads to the same scene. */
 void scene_write(const struct scene *scene, const struct vocabulary *vocabulary, FILE *out);

@@ -148,8 +148,10 @@ static void schema_child(struct schema *s, size_t row, enum key_place place, con
     if (place == PLACE_LEAF) {
         schema_leaf(s, row);
     } else if (place == PLACE_ARRAY) {
-        fprintf(s->out, "{\"type\": \"array\", \"minItems\": %d, \"items\": ",
-                strcmp(name, "fluids") == 0);
+        fprintf(s->out, "{\"type\": \"array\", \"minItems\": %d, ", strcmp(name, "fluids") == 0);
+        if (strcmp(name, "obstacles") == 0)
+            fprintf(s->out, "\"maxItems\": %d, ", OBSTACLES_MAX);
+        fputs("\"items\": ", s->out);
         schema_object(s, below);
         fputc('}', s->out);
     } else if (place == PLACE_GROUP) {
@@ -206,34 +208,35 @@ static void schema_required(struct schema *s, const char *prefix)
     }
 }
 
-/* Keys that a shape needs, and those it must not have. */
-static void schema_shape(struct schema *s, enum body_shape shape, const char *word)
+/* Keys of an array's elements that a shape needs, and those it must not have. */
+static void schema_shape(struct schema *s, const char *prefix, enum shape_kind shape)
 {
     int required = 0, refused = 0;
+    size_t n = strlen(prefix);
     fprintf(s->out, "{\"if\": {\"properties\": {\"shape\": {\"const\": \"%s\"}}, \"required\": "
-            "[\"shape\"]}, \"then\": {\"required\": [", word);
+            "[\"shape\"]}, \"then\": {\"required\": [", shape_words[shape]);
     for (size_t i = 0; i < scene_core_key_count; i++) {
         const struct key *key = &scene_core_keys[i];
-        if (key_is_shaped(key) && key_fits_shape(key, shape) && !key->fallback)
-            fprintf(s->out, "%s\"%s\"", required++ ? ", " : "", strrchr(key->path, '.') + 1);
+        if (strncmp(key->path, prefix, n) == 0 && key_is_shaped(key) && key_fits_shape(key, shape) &&
+            !key->fallback)
+            fprintf(s->out, "%s\"%s\"", required++ ? ", " : "", key->path + n);
     }
     fputs("], \"properties\": {", s->out);
-    for (size_t i = 0; i < scene_core_key_count; i++)
-        if (!key_fits_shape(&scene_core_keys[i], shape))
-            fprintf(s->out, "%s\"%s\": false", refused++ ? ", " : "",
-                    strrchr(scene_core_keys[i].path, '.') + 1);
+    for (size_t i = 0; i < scene_core_key_count; i++) {
+        const struct key *key = &scene_core_keys[i];
+        if (strncmp(key->path, prefix, n) == 0 && !key_fits_shape(key, shape))
+            fprintf(s->out, "%s\"%s\": false", refused++ ? ", " : "", key->path + n);
+    }
     fputs("}}}", s->out);
 }
 
-static void schema_shapes(struct schema *s)
+static void schema_shapes(struct schema *s, const char *prefix)
 {
-    const struct key *shape = s->keys.items[key_list_find(&s->keys, "bodies[].shape")].key;
-    char word[KEY_TEXT_SIZE];
     fputs("\"allOf\": [", s->out);
-    for (int i = 0; key_word_at(shape->choices, i, word), word[0]; i++) {
+    for (int i = SHAPE_BOX; i <= SHAPE_CYLINDER; i++) {
         fputs(i ? "," : "", s->out);
         line(s);
-        schema_shape(s, (enum body_shape)i, word);
+        schema_shape(s, prefix, (enum shape_kind)i);
     }
     fputs("],", s->out);
     line(s);
@@ -290,8 +293,9 @@ static void schema_members(struct schema *s, const char *prefix)
     fputs("\"type\": \"object\", \"additionalProperties\": false,", s->out);
     line(s);
     schema_required(s, prefix);
-    if (strcmp(prefix, "bodies[].") == 0)
-        schema_shapes(s);
+    for (int a = 0; a < ARRAY_COUNT; a++)
+        if (scene_arrays[a].shape != KEY_SHAPELESS && strcmp(prefix, scene_arrays[a].prefix) == 0)
+            schema_shapes(s, prefix);
     if (strcmp(prefix, "measure[].") == 0)
         schema_quantities(s);
     fputs("\"properties\": {", s->out);

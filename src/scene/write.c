@@ -39,9 +39,10 @@ static const void *row_memory(const struct writer *w, size_t row, const void *ba
         return NULL;
     if (key->offset == KEY_OPTION)
         return option_memory(w->scene, key->path);
-    if (strncmp(key->path, "bodies[].", 9) == 0 &&
-        !key_fits_shape(key, ((const struct scene_body *)base)->shape))
-        return NULL;
+    for (int a = 0; a < ARRAY_COUNT; a++)
+        if (strncmp(key->path, scene_arrays[a].prefix, strlen(scene_arrays[a].prefix)) == 0 &&
+            !key_fits_element(key, &scene_arrays[a], base))
+            return NULL;
     return (const char *)base + key->offset;
 }
 

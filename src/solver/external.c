@@ -1,5 +1,4 @@
 /* Chooses central force, buoyancy and dissipation from the scene. */
-#include "scene/load.h"
 #include "solver/solver.h"
 
 #include <math.h>
@@ -21,16 +20,16 @@ static double central_speed(const struct scene *scene, const struct external_con
     for (size_t b = 0; b < scene->body_count; b++) {
         const struct scene_body *body = &scene->bodies[b];
         double min[3], max[3], corner = 0, middle = 0, round = 0;
-        body_bounds(body, min, max);
+        shape_bounds(&body->shape, min, max);
         for (int a = 0; a < 3; a++) {
             double from = scene->central_force.center[a], at = (min[a] + max[a]) / 2 - from;
             double far = fmax(fabs(min[a] - from), fabs(max[a] - from));
             corner += c->stiffness[a] * far * far;
             middle += c->stiffness[a] * at * at;
-            round = fmax(round, c->stiffness[a] * body->radius * body->radius);
+            round = fmax(round, c->stiffness[a] * body->shape.radius * body->shape.radius);
         }
-        bool ball = body->shape == BODY_SPHERE || (body->shape == BODY_CYLINDER &&
-                                                   c->stiffness[body->axis] == 0);
+        bool ball = body->shape.kind == SHAPE_SPHERE || (body->shape.kind == SHAPE_CYLINDER &&
+                                                   c->stiffness[body->shape.axis] == 0);
         most = fmax(most, ball ? sqrt(middle) + sqrt(round) : sqrt(corner));
     }
     return most;

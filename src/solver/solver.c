@@ -40,13 +40,10 @@ static double length3(const double v[3])
 /* How far a body reaches along the unit vector `up`. */
 static double body_top(const struct scene_body *b, const double up[3])
 {
-    double top = 0;
-    for (int a = 0; a < 3; a++) {
-        double half = b->shape == BODY_CYLINDER && a == b->axis ? b->height / 2 : b->radius;
-        double low = b->shape == BODY_BOX ? b->min[a] : b->center[a] - half;
-        double high = b->shape == BODY_BOX ? b->max[a] : b->center[a] + half;
-        top += up[a] > 0 ? up[a] * high : up[a] * low;
-    }
+    double low[3], high[3], top = 0;
+    shape_bounds(&b->shape, low, high);
+    for (int a = 0; a < 3; a++)
+        top += up[a] > 0 ? up[a] * high[a] : up[a] * low[a];
     return top;
 }
 
@@ -165,7 +162,8 @@ static void choose_scales(const struct scene *scene, const struct space *space,
     kernel_plane_table(choice->kernel, choice->support / d, &choice->each.planes);
 }
 
-/* Whether the bodies fill the domain. */
+/* Whether the bodies fill the domain, but for obstacles; these share no space, or the sum of their volumes is
+ * too large and a surface is missed that is not there. */
 static bool is_enclosed(const struct scene *scene, const double *fluid_volume)
 {
     double fluid = 0, domain = 1;
@@ -173,6 +171,8 @@ static bool is_enclosed(const struct scene *scene, const double *fluid_volume)
         fluid += fluid_volume[f];
     for (int a = 0; a < 3; a++)
         domain *= scene->domain.max[a] - scene->domain.min[a];
+    for (size_t k = 0; k < scene->obstacle_count; k++)
+        domain -= shape_volume(&scene->obstacles[k].shape);
     return fluid > 0.98 * domain;
 }
 
@@ -200,6 +200,7 @@ void solver_choose(const struct solver_row *solver, const struct scene *scene,
     expect(scene, choice);
     expect_driven(scene, choice);
     choose_walls(scene, space, choice);
+    obstacles_choose(scene, space, choice);
     choose_scales(scene, space, choice);
     choose_fluids(scene, fluid_volume, fluid_particles, choice);
     tension_choose(scene, choice);

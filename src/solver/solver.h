@@ -115,6 +115,9 @@ static inline int solver_row_bytes(const struct solver_choice *choice)
      .doc = "weiler: along the line of centres, free of stress at a surface; morris: a Laplacian, " \
             "right where fluid is enclosed"}
 
+/* What stops particles at obstacles; they are made of wall particles. */
+void obstacles_choose(const struct scene *scene, const struct space *space, struct solver_choice *choice);
+
 void viscosity_choose(const struct scene *scene, struct solver_choice *choice);
 
 /* The part that optional accelerations have in it; each also bounds the step and raises the

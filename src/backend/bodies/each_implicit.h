@@ -64,11 +64,15 @@ static inline void each_rest_volumes(const struct work *w, size_t i)
 }
 
 /* The volume of a wall particle, V_b = 1 / sum_k W_bk over the wall particles (Akinci et al. 2012). Those
- * next to the fluid lack its half of the sum and become too large, by which fluid would stand off; a
- * projection takes the fluid's volume, so that the lattice goes on in the wall. */
+ * next to the fluid lack its half of the sum and become too large, by which fluid would stand off, most of
+ * all at edges; a projection, and explicit solvers where there are obstacles, take the fluid's volume, so
+ * that the lattice goes on in the wall. */
 static inline void each_wall_volumes(const struct work *w, size_t i)
 {
+    const struct explicit_constants *c = &w->choice->each;
+    bool lattice = c->obstacles.count > 0 && !w->choice->is_implicit;
     w->state.position[i].volume = w->choice->projects ? w->choice->projection.volume[0]
+                                  : lattice           ? c->mass[0] / c->rest_density[0]
                                                       : 1 / (w->constants.density * w->number[i]);
 }
 

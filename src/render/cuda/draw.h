@@ -111,15 +111,17 @@ static inline void draw_cull(const struct draw_work *w, size_t i)
     w->mask[i] = bits;
 }
 
-/* Blends a triangle over a sample at x, y of a tile that starts in column `left`. */
-static inline void draw_blend(const struct blend *b, int left, int x, int y, float depth, float color[4])
+/* Blends a triangle over a sample at x, y of a tile that starts in column `left`, where *depth is seen. */
+static inline void draw_blend(const struct blend *b, int left, int x, int y, float *depth, float color[4])
 {
     if (x < b->left || x >= b->right || y < b->top || y >= b->bottom || !blend_covers(b, x + 0.5, y + 0.5))
         return;
     const struct span span = span_make(b, left, y);
-    const float part = span_part(&span, x - left, depth);
+    const float part = span_part(&span, x - left, *depth);
     for (int k = 0; k < 4; k++)
         color[k] += part * (b->color[k] - color[k]);
+    if (b->solid && part > 0)
+        *depth = span_depth(&span, x - left);
 }
 
 /* The sphere or the background of a sample. */
@@ -148,11 +150,12 @@ static inline void draw_sample(const struct draw_work *w, int x, int y, float co
     const uint64_t seen = w->seen[(size_t)y * (size_t)w->width + (size_t)x];
     const int column = x / w->tile, tile = y / w->tile * w->columns + column;
     const uint32_t *mask = w->mask + (size_t)tile * w->words;
+    float depth = draw_depth(seen);
     draw_ground(w, x, y, seen, color);
     for (size_t word = 0; word < w->words; word++)
         for (uint32_t bits = mask[word]; bits; bits &= bits - 1)
             draw_blend(&w->splat.blends[32 * word + (size_t)draw_lowest(bits)], column * w->tile, x, y,
-                       draw_depth(seen), color);
+                       &depth, color);
 }
 
 /* The colour of pixel i: the mean of its samples. */

@@ -11,7 +11,7 @@ static double frequency(const struct scene *scene)
 {
     const struct scene_fluid *fluid = case_fluid(scene);
     return exact_capillary_frequency(fluid->surface_tension, fluid->density,
-                                     scene->bodies[0].radius);
+                                     scene->bodies[0].shape.radius);
 }
 
 static double interval(const struct scene *scene)
@@ -22,7 +22,7 @@ static double interval(const struct scene *scene)
 static const char *lacks(const struct scene *scene)
 {
     const struct scene_fluid *fluid = case_fluid(scene);
-    if (!case_has_shape(scene, BODY_SPHERE) || !case_has_flow(scene, "elliptic"))
+    if (!case_has_shape(scene, SHAPE_SPHERE) || !case_has_flow(scene, "elliptic"))
         return "a first body that is a sphere with the flow \"elliptic\"";
     return fluid->surface_tension > 0 && fluid->viscosity > 0 ? NULL
                                                               : "surface_tension and viscosity";
@@ -32,8 +32,8 @@ static const char *lacks(const struct scene *scene)
 static void measure(const struct scene *scene, FILE *out)
 {
     fputs("{\"quantity\": \"spread\"}, {\"quantity\": \"pressure\", \"at\": ", out);
-    case_write_point(out, scene->bodies[0].center);
-    fprintf(out, ", \"radius\": %.17g}", scene->bodies[0].radius / 2);
+    case_write_point(out, scene->bodies[0].shape.center);
+    fprintf(out, ", \"radius\": %.17g}", scene->bodies[0].shape.radius / 2);
 }
 
 /* Of x^2 - y^2 by spreads, which passes zero each half period. */
@@ -62,7 +62,7 @@ static enum status compare(const struct columns *columns, const struct scene *sc
     const double *pressures = columns_need(columns, "pressure", e);
     if (!pressures || find_oscillation(columns, scene, &found, e))
         return e->status;
-    double radius = scene->bodies[0].radius, pressure = 0;
+    double radius = scene->bodies[0].shape.radius, pressure = 0;
     double damping = log(found.first / found.last) / ((double)found.halves * found.half);
     size_t late = columns->rows / 2;
     for (size_t k = late; k < columns->rows; k++)

@@ -15,9 +15,9 @@ double case_viscosity(const struct scene *scene)
     return case_fluid(scene)->viscosity / case_fluid(scene)->density;
 }
 
-bool case_has_shape(const struct scene *scene, enum body_shape shape)
+bool case_has_shape(const struct scene *scene, enum shape_kind shape)
 {
-    return scene->bodies[0].shape == shape;
+    return scene->bodies[0].shape.kind == shape;
 }
 
 bool case_has_flow(const struct scene *scene, const char *flow)
@@ -35,7 +35,7 @@ void case_box_middle(const struct scene *scene, double middle[3])
 {
     const struct scene_body *body = &scene->bodies[0];
     for (int a = 0; a < 3; a++)
-        middle[a] = (body->min[a] + body->max[a]) / 2;
+        middle[a] = (body->shape.min[a] + body->shape.max[a]) / 2;
 }
 
 double case_box_mass(const struct scene *scene)
@@ -43,7 +43,7 @@ double case_box_mass(const struct scene *scene)
     const struct scene_body *body = &scene->bodies[0];
     double mass = case_fluid(scene)->density;
     for (int a = 0; a < 3; a++)
-        mass *= body->max[a] - body->min[a];
+        mass *= body->shape.max[a] - body->shape.min[a];
     return mass;
 }
 

@@ -12,7 +12,7 @@ const struct scene_fluid *case_fluid(const struct scene *scene);
 double case_viscosity(const struct scene *scene);
 
 /* Whether the first body has that shape; whether it starts with that flow. */
-bool case_has_shape(const struct scene *scene, enum body_shape shape);
+bool case_has_shape(const struct scene *scene, enum shape_kind shape);
 bool case_has_flow(const struct scene *scene, const char *flow);
 
 /* Whether gravity is along -y. */

@@ -17,7 +17,7 @@ static double stretching(const struct scene *scene)
 
 static const char *elliptic_lacks(const struct scene *scene)
 {
-    if (!case_has_shape(scene, BODY_CYLINDER) || scene->bodies[0].axis != 2)
+    if (!case_has_shape(scene, SHAPE_CYLINDER) || scene->bodies[0].shape.axis != 2)
         return "a first body that is a cylinder along z";
     if (!case_has_flow(scene, "elliptic") || scene->bodies[0].flow_speed == 0)
         return "the flow \"elliptic\" in the first body";
@@ -107,7 +107,7 @@ static void add_start(const struct drop *drop, const struct scene *scene,
                       struct study_errors *errors)
 {
     for (int a = 0; a < 2; a++)
-        study_error_add(errors, by_moments(drop, a, 0) / scene->bodies[0].radius - 1, "%", NAN,
+        study_error_add(errors, by_moments(drop, a, 0) / scene->bodies[0].shape.radius - 1, "%", NAN,
                         "semi-axis along %c by moments at t = 0", axis_names[a]);
 }
 
@@ -138,7 +138,7 @@ static enum status compare_elliptic(const struct columns *columns, const struct 
     if (!energy || read_spread(&drop, columns, scene, e) || read_extents(&drop, columns, e))
         return e->status;
     struct exact_ellipse exact = exact_ellipse(columns_time(columns)[last], stretching(scene),
-                                               scene->bodies[0].radius);
+                                               scene->bodies[0].shape.radius);
     add_axes(&drop, last, &exact, errors);
     add_start(&drop, scene, errors);
     study_error_add(errors, case_change(columns, energy), "%", NAN, "kinetic energy, drift");

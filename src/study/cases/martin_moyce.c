@@ -18,8 +18,8 @@ static const char *lacks(const struct scene *scene)
     const struct scene_body *body = &scene->bodies[0];
     if (!case_has_gravity_down(scene))
         return "gravity along -y";
-    double width = body->max[0] - body->min[0], height = body->max[1] - body->min[1];
-    return case_has_shape(scene, BODY_BOX) && fabs(height / width - 2) < 1e-3
+    double width = body->shape.max[0] - body->shape.min[0], height = body->shape.max[1] - body->shape.min[1];
+    return case_has_shape(scene, SHAPE_BOX) && fabs(height / width - 2) < 1e-3
                ? NULL : "a first body that is a box twice as high as wide along x";
 }
 
@@ -29,8 +29,8 @@ static void measure(const struct scene *scene, FILE *out)
     const struct scene_body *body = &scene->bodies[0];
     fputs("{\"quantity\": \"front\"}", out);
     for (int k = 1; k <= 3; k++) {
-        double foot[3] = {body->min[0], body->min[1],
-                          body->min[2] + k / 4.0 * (body->max[2] - body->min[2])};
+        double foot[3] = {body->shape.min[0], body->shape.min[1],
+                          body->shape.min[2] + k / 4.0 * (body->shape.max[2] - body->shape.min[2])};
         fprintf(out, ", {\"quantity\": \"height\", \"name\": \"wall%d\", \"at\": ", k);
         case_write_point(out, foot);
         fputs("}", out);
@@ -85,9 +85,9 @@ static enum status compare(const struct columns *columns, const struct scene *sc
                            struct study_errors *errors, struct error *e)
 {
     const struct scene_body *body = &scene->bodies[0];
-    struct martin_moyce_column column = {body->max[0] - body->min[0], -scene->gravity[1]};
+    struct martin_moyce_column column = {body->shape.max[0] - body->shape.min[0], -scene->gravity[1]};
     struct martin_moyce_errors front, height;
-    if (compare_fronts(columns, body->min[0], &column, &front, e) ||
+    if (compare_fronts(columns, body->shape.min[0], &column, &front, e) ||
         compare_heights(columns, &column, &height, e))
         return e->status;
     study_error_add(errors, front.rms, "%", NAN, "time of the front, RMS");

@@ -8,7 +8,7 @@
 
 static double depth(const struct scene *scene)
 {
-    return scene->bodies[0].max[1] - scene->bodies[0].min[1];
+    return scene->bodies[0].shape.max[1] - scene->bodies[0].shape.min[1];
 }
 
 static struct exact_wave potential_wave(const struct scene *scene)
@@ -25,7 +25,7 @@ static double interval(const struct scene *scene)
 static const char *lacks(const struct scene *scene)
 {
     if (!case_has_flow(scene, "standing-wave") || scene->bodies[0].flow_speed == 0 ||
-        !case_has_shape(scene, BODY_BOX))
+        !case_has_shape(scene, SHAPE_BOX))
         return "a first body that is a box with the flow \"standing-wave\"";
     return case_has_gravity_down(scene) ? NULL : "gravity along -y";
 }

@@ -18,12 +18,12 @@ static const char *lacks(const struct scene *scene)
 {
     if (!case_has_gravity_down(scene))
         return "gravity along -y";
-    return case_has_shape(scene, BODY_BOX) ? NULL : "a first body that is a box";
+    return case_has_shape(scene, SHAPE_BOX) ? NULL : "a first body that is a box";
 }
 
 static double depth(const struct scene *scene)
 {
-    return scene->bodies[0].max[1] - scene->bodies[0].min[1];
+    return scene->bodies[0].shape.max[1] - scene->bodies[0].shape.min[1];
 }
 
 /* From floor and surface to the line of pressures: more than a support radius, where there is room. */
@@ -46,8 +46,8 @@ static void measure(const struct scene *scene, FILE *out)
     double low[3], high[3];
     case_box_middle(scene, low);
     case_box_middle(scene, high);
-    low[1] = body->min[1] + margin(scene);
-    high[1] = body->max[1] - margin(scene);
+    low[1] = body->shape.min[1] + margin(scene);
+    high[1] = body->shape.max[1] - margin(scene);
     fputs("{\"quantity\": \"energy\"}, {\"quantity\": \"volume\"}, {\"quantity\": \"mass-centre\"}, "
           "{\"quantity\": \"wall-pressure\", \"name\": \"floor\", \"face\": \"-y\"}, "
           "{\"quantity\": \"profile\", \"name\": \"up\", \"from\": ", out);
@@ -107,7 +107,7 @@ static enum status compare_rest(const struct columns *columns, const struct scen
     if (!kinetic)
         return e->status;
     double energy = case_box_mass(scene) * -scene->gravity[1] * depth(scene);
-    double floor = scene->bodies[0].min[1];
+    double floor = scene->bodies[0].shape.min[1];
     double centre = fit_late_mean(columns_time(columns), height, columns->rows);
     study_error_add(errors, late_drift(columns, surface), "%", drift_asked,
                     "volume below the surface, drift");

@@ -24,7 +24,7 @@ static double gravity(const struct scene *scene)
 
 static const char *lacks(const struct scene *scene)
 {
-    if (!case_has_shape(scene, BODY_BOX))
+    if (!case_has_shape(scene, SHAPE_BOX))
         return "a first body that is a box";
     return gravity(scene) > 0 ? NULL : "gravity";
 }
@@ -36,7 +36,7 @@ static void line_ends(const struct scene *scene, int line, double from[3], doubl
     const struct scene_body *body = &scene->bodies[0];
     double direction[3] = {line == 0, line == 1, 0}, reach = INFINITY, middle[3];
     for (int a = 0; a < 3; a++) {
-        double half = (body->max[a] - body->min[a]) / 2;
+        double half = (body->shape.max[a] - body->shape.min[a]) / 2;
         half -= fmin(3 * scene->particles.spacing, half / 2);
         if (line == 2)
             direction[a] = scene->gravity[a] / gravity(scene);
@@ -72,7 +72,7 @@ static double exact_pressure(const struct scene *scene, const double x[3])
     double pressure = 0;
     for (int a = 0; a < 3; a++) {
         double g = scene->gravity[a];
-        pressure += case_fluid(scene)->density * g * (x[a] - (g > 0 ? body->min[a] : body->max[a]));
+        pressure += case_fluid(scene)->density * g * (x[a] - (g > 0 ? body->shape.min[a] : body->shape.max[a]));
     }
     return pressure;
 }
@@ -143,7 +143,7 @@ static double drop(const struct scene *scene)
 {
     double sum = 0;
     for (int a = 0; a < 3; a++)
-        sum += fabs(scene->gravity[a]) * (scene->bodies[0].max[a] - scene->bodies[0].min[a]);
+        sum += fabs(scene->gravity[a]) * (scene->bodies[0].shape.max[a] - scene->bodies[0].shape.min[a]);
     return sum / gravity(scene);
 }
 
