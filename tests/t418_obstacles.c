@@ -28,7 +28,8 @@ static const char crowd[] =
     "{\"shape\": \"box\", \"min\": [0.1, 0.12, 0.1], \"max\": [0.22, 0.3, 0.3]},\n"
     "{\"shape\": \"sphere\", \"center\": [0.42, 0.2, 0.2], \"radius\": 0.1},\n"
     "{\"shape\": \"cylinder\", \"center\": [0.4, 0.1, 0.45], \"radius\": 0.06, \"height\": 0.5, \"axis\": \"x\"}],\n"
-    "\"bodies\": [{\"shape\": \"sphere\", \"center\": [0.3, 0.55, 0.3], \"radius\": 0.15, \"velocity\": [1, -12, -1]}],\n"
+    "\"bodies\": [{\"shape\": \"sphere\", \"center\": [0.3, 0.55, 0.3], \"radius\": 0.15,\n"
+    "\"velocity\": [1, -12, -1]}],\n"
     "\"solver\": {\"method\": \"%s\"}}";
 
 static void strike(const char *method, double restitution, const char *walls)

@@ -21,7 +21,8 @@ struct view {
 };
 
 static const struct scene_obstacle block = {
-    .shape = {.kind = SHAPE_BOX, .min = {0.6, 0.3, 0.2}, .max = {1.0, 0.7, 0.4}}, .color = {1, 0.5, 0}, .visible = true};
+    .shape = {.kind = SHAPE_BOX, .min = {0.6, 0.3, 0.2}, .max = {1.0, 0.7, 0.4}}, .color = {1, 0.5, 0},
+    .visible = true};
 
 /* The pixel at a part of the way from the middle to the picture's upper right corner. */
 static void pixel_at(const struct view *view, double right, double up, uint8_t rgba[4])
@@ -139,7 +140,8 @@ static void lit_from_above(void **state)
 {
     (void)state;
     const struct scene_obstacle round[2] = {
-        {.shape = {.kind = SHAPE_SPHERE, .center = {0.8, 0.5, 0.3}, .radius = 0.2}, .color = {1, 0.5, 0}, .visible = true},
+        {.shape = {.kind = SHAPE_SPHERE, .center = {0.8, 0.5, 0.3}, .radius = 0.2}, .color = {1, 0.5, 0},
+         .visible = true},
         {.shape = {.kind = SHAPE_CYLINDER, .center = {0.8, 0.5, 0.3}, .radius = 0.2, .height = 1, .axis = 0},
          .color = {1, 0.5, 0}, .visible = true}};
     for (int k = 0; k < 2; k++) {

@@ -7,6 +7,8 @@
 
 enum { LINE_VERTICES = 6, CORNERS_MAX = 5 };
 
+const int mesh_around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
 static float *vertex_add(struct mesh *m, const float vertex[4])
 {
     static float nowhere[4];

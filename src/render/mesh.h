@@ -27,6 +27,9 @@ struct mesh_view {
 void mesh_line(struct mesh *mesh, const struct mesh_view *view, const double a[3], const double b[3],
                double half);
 
+/* Corners of a rectangle, in order round it: which of its two ends along each axis. */
+extern const int mesh_around[4][2];
+
 /* A face with four corners, in order round it, and their cover, 0..1; NULL: 1. */
 void mesh_face(struct mesh *mesh, const struct mesh_view *view, const double corner[4][3],
                const float *cover);

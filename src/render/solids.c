@@ -35,30 +35,39 @@ bool solids_wanted(const struct scene *scene)
     return false;
 }
 
-static double dot(const double a[3], const double b[3])
+/* How much light comes from a facet whose unit normal, in camera axes, has the cosine `facing` to the viewer
+ * (render/look.h). */
+static int shade_of(const struct look *look, const double n[3], double facing)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* How much light comes from a facet whose unit normal has the cosine `facing` to the viewer (render/look.h). */
-static int shade_of(const struct look *look, const struct camera *camera, const double normal[3], double facing)
-{
-    double n[3] = {dot(normal, camera->right), dot(normal, camera->up), -dot(normal, camera->forward)}, key = 0;
-    for (int k = 0; k < 3; k++)
-        key += n[k] * (double)look->key[k];
+    double key = n[0] * (double)look->key[0] + n[1] * (double)look->key[1] - n[2] * (double)look->key[2];
     double light = (double)look->base + (double)look->sky * (0.5 + 0.5 * n[1]) + (double)look->diffuse * fmax(key, 0);
     light *= 1 - (double)look->facing + (double)look->facing * facing;
     return (int)(fmin(light, 1) * SHADES + 0.5);
 }
 
+/* The cosine of a facet's unit normal to the viewer, and the normal in camera axes. */
+static double facing_of(const struct camera *camera, const double corner[4][3], const double normal[3], double n[3])
+{
+    double middle[3], tip[3], at[3], along = 0, square = 0;
+    for (int a = 0; a < 3; a++) {
+        middle[a] = (corner[0][a] + corner[2][a]) / 2;
+        tip[a] = middle[a] + normal[a];
+    }
+    camera_view(camera, middle, at);
+    camera_view(camera, tip, n);
+    for (int k = 0; k < 3; k++) {
+        double ray = !camera->orthographic ? at[k] : k == 2 ? 1 : 0;
+        n[k] -= at[k];
+        along -= ray * n[k];
+        square += ray * ray;
+    }
+    return along / sqrt(square);
+}
+
 /* Keeps the facet if it faces the camera. */
 static void facet_add(struct facets *f, const double corner[4][3], const double normal[3])
 {
-    const struct camera *camera = &f->view->camera;
-    double to_eye[3];
-    for (int a = 0; a < 3; a++)
-        to_eye[a] = camera->orthographic ? -camera->forward[a] : camera->eye[a] - (corner[0][a] + corner[2][a]) / 2;
-    double facing = dot(to_eye, normal) / sqrt(dot(to_eye, to_eye));
+    double n[3], facing = facing_of(&f->view->camera, corner, normal, n);
     if (!(facing > 0))
         return;
     if (f->count == f->room) {
@@ -72,21 +81,20 @@ static void facet_add(struct facets *f, const double corner[4][3], const double 
     }
     struct facet *facet = &f->facet[f->count];
     *facet = (struct facet){.obstacle = f->obstacle, .order = f->count++,
-                            .shade = shade_of(&f->look, camera, normal, facing)};
+                            .shade = shade_of(&f->look, n, facing)};
     memcpy(facet->corner, corner, sizeof facet->corner);
 }
 
 static void box_make(struct facets *f, const double min[3], const double max[3])
 {
-    static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (int face = 0; face < FACE_COUNT; face++) {
         int a = face / 2, u = (a + 1) % 3, v = (a + 2) % 3;
         double corner[4][3], normal[3] = {0};
         normal[a] = face & 1 ? 1 : -1;
         for (int i = 0; i < 4; i++) {
             corner[i][a] = face & 1 ? max[a] : min[a];
-            corner[i][u] = around[i][0] ? max[u] : min[u];
-            corner[i][v] = around[i][1] ? max[v] : min[v];
+            corner[i][u] = mesh_around[i][0] ? max[u] : min[u];
+            corner[i][v] = mesh_around[i][1] ? max[v] : min[v];
         }
         facet_add(f, (const double (*)[3])corner, normal);
     }
@@ -114,11 +122,13 @@ static void band_make(struct facets *f, const double middle[3], int axis, const 
             round_point(middle, axis, along[k / 2], out[k / 2], i + (k == 1 || k == 2), corner[k]);
         round_point(none, axis, slope, 1, i, a);
         round_point(none, axis, slope, 1, i + 1, b);
-        for (int k = 0; k < 3; k++)
+        double square = 0;
+        for (int k = 0; k < 3; k++) {
             normal[k] = a[k] + b[k];
-        double length = sqrt(dot(normal, normal));
+            square += normal[k] * normal[k];
+        }
         for (int k = 0; k < 3; k++)
-            normal[k] /= length;
+            normal[k] /= sqrt(square);
         facet_add(f, (const double (*)[3])corner, normal);
     }
 }

@@ -87,8 +87,6 @@ static void layer_end(const struct drawing *d, float half_width, float alpha, bo
                                                 .color = {d->ink, d->ink, d->ink, alpha}});
 }
 
-static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}; /* corners of a rectangle */
-
 /* The rectangle of a face between two places along each of the axes after its own; cover as of mesh_face. */
 static void patch_make(const struct drawing *d, int axis, bool at_max, const double low[2],
                        const double high[2], const float *cover)
@@ -97,7 +95,7 @@ static void patch_make(const struct drawing *d, int axis, bool at_max, const dou
     for (int i = 0; i < 4; i++) {
         camera_corner(d->scene, at_max << axis, 0, corner[i]);
         for (int k = 0; k < 2; k++)
-            corner[i][(axis + 1 + k) % 3] = around[i][k] ? high[k] : low[k];
+            corner[i][(axis + 1 + k) % 3] = mesh_around[i][k] ? high[k] : low[k];
     }
     mesh_face(&d->wire->mesh, &d->view, (const double (*)[3])corner, cover);
 }
@@ -179,7 +177,7 @@ static void shadow_draw(const struct drawing *d, struct shadow_floor floor)
             double high[2] = {(i + 1) * s->cell[0], (j + 1) * s->cell[1]};
             float taken[4], most = 0;
             for (int k = 0; k < 4; k++) {
-                taken[k] = shadow_taken(s, i + around[k][0], j + around[k][1]);
+                taken[k] = shadow_taken(s, i + mesh_around[k][0], j + mesh_around[k][1]);
                 most = fmaxf(most, taken[k]);
             }
             if (most > 1e-3F)
