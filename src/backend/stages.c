@@ -9,7 +9,7 @@ static const struct pass_stages {
     size_t count;
     struct stage stage[STAGES_MAX];
 } table[PASS_COUNT] = {
-    [PASS_PREDICT] = {2, {RUN(no_extremes), RUN(predict)}},
+    [PASS_PREDICT] = {3, {RUN(no_extremes), RUN(predict), WHEN(OBSTACLES, stop)}},
     [PASS_DENSITY] = {1, {PAIRS(DENSITY)}},
     [PASS_PRESSURE] = {1, {RUN(pressure)}},
     [PASS_FORCE] = {1, {PAIRS(FORCE)}},
@@ -41,7 +41,7 @@ static const struct pass_stages {
                             RUN(drag_turn)}},
     [PASS_DRAG_END] = {1, {RUN(drag_end)}},
     [PASS_RESUME] = {1, {RUN(resume)}},
-    [PASS_MOVE] = {2, {RUN(no_extremes), RUN(move)}},
+    [PASS_MOVE] = {3, {RUN(no_extremes), RUN(move), WHEN(OBSTACLES, stop)}},
     [PASS_REWIND] = {1, {RUN(rewind)}},
     [PASS_STENCIL] = {2, {WHEN(INVERSE, inverse_densities), PAIRS(STENCIL)}},
     [PASS_SURFACE] = {1, {PAIRS(SURFACE)}},
@@ -54,7 +54,7 @@ static const struct pass_stages {
     [PASS_DESCENT] = {5, {RUN(curvature), RUN(descent_length), RUN(ahead), RUN(descent_keep),
                           RUN(turn)}},
     [PASS_SLOPES] = {2, {RUN(shifted), PAIRS(SLOPES)}},
-    [PASS_DRIFT] = {2, {RUN(no_extremes), RUN(drift)}},
+    [PASS_DRIFT] = {3, {RUN(no_extremes), RUN(drift), WHEN(OBSTACLES, stop)}},
 };
 
 const struct stage *stages_of(enum pass_id pass, size_t *count)
@@ -81,6 +81,7 @@ bool stage_wanted(const struct stage *stage, const struct solver_choice *choice,
     case STAGE_ENCLOSED: return choice->enclosed;
     case STAGE_INVERSE: return work->inverse_density != NULL;
     case STAGE_FLUIDS: return work->tension.fluid != NULL;
+    case STAGE_OBSTACLES: return choice->each.obstacles.count > 0;
     case STAGE_ALWAYS: break;
     }
     return true;

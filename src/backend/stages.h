@@ -17,7 +17,8 @@ enum stage_when {
     STAGE_ALWAYS,
     STAGE_ENCLOSED, /* fluid has no surface */
     STAGE_INVERSE,  /* fluids differ in density, and the pass reads its inverse */
-    STAGE_FLUIDS    /* there are several */
+    STAGE_FLUIDS,   /* there are several */
+    STAGE_OBSTACLES /* there is any */
 };
 
 struct stage {

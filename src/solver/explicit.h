@@ -110,21 +110,18 @@ static inline float explicit_predict(const struct explicit_constants *c, int flu
                                      const struct rate *rate, float density0, const float *shift,
                                      struct position *x, struct motion *v, float *density)
 {
-    float move2 = 0, kick[3], half[3];
+    float move2 = 0;
     for (int a = 0; a < 3; a++) {
-        kick[a] = 0.5f * dt * rate->acceleration[a];
-        half[a] = v0->velocity[a] + kick[a];
-        float move = (shift ? half[a] + shift[a] : half[a]) * dt;
+        float kick = 0.5f * dt * rate->acceleration[a], half = v0->velocity[a] + kick;
+        float move = (shift ? half + shift[a] : half) * dt;
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing)) /* the step is rejected anyway: no overflow below */
             return INFINITY;
         x->count[a] = x0->count[a] + (uint32_t)(int32_t)lrintf(move * c->per_metre[a]);
         if (c->closed[a] && ((int32_t)x->count[a] < (int32_t)c->low[a] || x->count[a] > c->high[a]))
-            x->count[a] = explicit_bounce(c, a, x->count[a], &half[a]);
+            x->count[a] = explicit_bounce(c, a, x->count[a], &half);
+        v->velocity[a] = explicit_rest(c, half + kick);
     }
-    obstacles_stop(&c->obstacles, x0->count, x->count, half);
-    for (int a = 0; a < 3; a++)
-        v->velocity[a] = explicit_rest(c, half[a] + kick[a]);
     /* The continuity equation lets a particle that is torn off thin out without end; the volume m/rho
      * that its neighbours then see grows beyond all bounds. Thinner than half is no fluid. */
     float thinnest = 0.5f * c->rest_density[fluid], next = density0 + dt * rate->density;

@@ -170,7 +170,7 @@ static inline void implicit_bound(const struct explicit_constants *c, float dt, 
         shift[a] = isfinite(part) ? part * shift[a] : 0;
 }
 
-/* Moves a particle by (v + shift) dt, off closed planes and obstacles; returns the square of the distance, m^2 (INFINITY
+/* Moves a particle by (v + shift) dt, off closed planes; returns the square of the distance, m^2 (INFINITY
  * when runaway). */
 static inline float implicit_move(const struct explicit_constants *c, float dt,
                                   const struct position *x0, const float shift[3],
@@ -187,7 +187,6 @@ static inline float implicit_move(const struct explicit_constants *c, float dt,
             x->count[a] = explicit_bounce(c, a, x->count[a], &speed);
         v->velocity[a] = speed;
     }
-    obstacles_stop(&c->obstacles, x0->count, x->count, v->velocity);
     x->volume = x0->volume;
     return move2;
 }

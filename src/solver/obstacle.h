@@ -104,12 +104,12 @@ static inline void obstacle_bounce(const struct obstacles *c, const struct obsta
         velocity[a] += (float)(out->direction[a] * into * (1 + (double)c->restitution));
 }
 
-/* Moves a particle that got into an obstacle to its surface, and reflects its velocity. Where that is inside
- * another one, where they join, the particle stays at `before` the step, without speed. */
-static inline void obstacles_stop(const struct obstacles *c, const uint32_t before[3], uint32_t count[3],
+/* Moves a particle that got into an obstacle to its surface, and reflects its velocity; returns whether it did. Where
+ * that is inside another one, where they join, the particle stays at `before` the step, without speed. */
+static inline bool obstacles_stop(const struct obstacles *c, const uint32_t before[3], uint32_t count[3],
                                   float velocity[3])
 {
-    bool inside = c->count > 0;
+    bool inside = true, stopped = false;
     for (int round = 0; round < 3 && inside; round++) {
         inside = false;
         for (int k = 0; k < c->count; k++) {
@@ -120,7 +120,7 @@ static inline void obstacles_stop(const struct obstacles *c, const uint32_t befo
                 at[a] = (int32_t)(count[a] - o->middle[a]);
             if (!obstacle_find(c, o, at, &out))
                 continue;
-            inside = true;
+            inside = stopped = true;
             obstacle_leave(c, o, &out, count);
             obstacle_bounce(c, &out, velocity);
         }
@@ -129,6 +129,7 @@ static inline void obstacles_stop(const struct obstacles *c, const uint32_t befo
         count[a] = before[a];
         velocity[a] = 0;
     }
+    return stopped;
 }
 
 #endif

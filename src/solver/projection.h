@@ -410,26 +410,23 @@ static inline void projection_lift(const struct explicit_constants *c, const flo
     }
 }
 
-/* Second half of a step: moves a particle by v(n+1/2) dt + shift, off closed planes and obstacles; v
- * becomes the velocity predicted there. Returns the square of the distance, m^2 (INFINITY when runaway). */
+/* Second half of a step: moves a particle by v(n+1/2) dt + shift, off closed planes; v becomes the
+ * velocity predicted there. Returns the square of the distance, m^2 (INFINITY when runaway). */
 static inline float projection_move(const struct explicit_constants *c, float dt,
                                     const struct position *x0, const float acceleration[3],
                                     const float shift[3], struct position *x, struct motion *v)
 {
-    float move2 = 0, half[3];
+    float move2 = 0;
     for (int a = 0; a < 3; a++) {
-        half[a] = explicit_rest(c, v->velocity[a]);
-        float move = half[a] * dt + shift[a];
+        float half = explicit_rest(c, v->velocity[a]), move = half * dt + shift[a];
         move2 += move * move;
         if (!(fabsf(move) <= c->spacing))
             return INFINITY;
         x->count[a] = x0->count[a] + (uint32_t)(int32_t)lrintf(move * c->per_metre[a]);
         if (c->closed[a] && ((int32_t)x->count[a] < (int32_t)c->low[a] || x->count[a] > c->high[a]))
-            x->count[a] = explicit_bounce(c, a, x->count[a], &half[a]);
+            x->count[a] = explicit_bounce(c, a, x->count[a], &half);
+        v->velocity[a] = half + 0.5f * dt * acceleration[a];
     }
-    obstacles_stop(&c->obstacles, x0->count, x->count, half);
-    for (int a = 0; a < 3; a++)
-        v->velocity[a] = half[a] + 0.5f * dt * acceleration[a];
     x->volume = x0->volume;
     return move2;
 }

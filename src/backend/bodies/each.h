@@ -5,6 +5,7 @@
 #include "backend/bodies/each_drag.h"
 #include "backend/bodies/each_explicit.h"
 #include "backend/bodies/each_implicit.h"
+#include "backend/bodies/each_obstacle.h"
 #include "backend/bodies/each_part.h"
 #include "backend/bodies/each_projection.h"
 
