@@ -59,7 +59,9 @@ struct device_gl {
 struct device_row {
     /* Devices there are; 0 without a driver or GPU, with the reason in *why. */
     int (*count)(const char **why);
-    /* STATUS_BACKEND when there is no such device. */
+    /* STATUS_BACKEND when there is no such device; leaves it alone. */
+    enum status (*exists)(int index, struct error *e);
+    /* The same, and what it is. */
     enum status (*info)(int index, struct device_info *info, struct error *e);
     enum status (*open)(struct device **device, int index, struct error *e);
     void (*close)(struct device *device);

@@ -71,18 +71,25 @@ static int cuda_count(const char **why)
     return result == cudaSuccess ? count : 0;
 }
 
-static enum status cuda_info(int index, struct device_info *info, struct error *e)
+static enum status cuda_exists(int index, struct error *e)
 {
-    struct cudaDeviceProp p;
     const char *why;
     int count = cuda_count(&why);
-    memset(info, 0, sizeof *info);
     if (count == 0)
         return error_set(e, STATUS_BACKEND, "there is no GPU that CUDA can use%s%s; use --backend cpu and "
                          "--renderer cpu", *why ? ": " : "", why);
     if (index < 0 || index >= count)
         return error_set(e, STATUS_BACKEND, "cuda:%d: %s; see sph-render list devices", index,
                          count == 1 ? "there is one device, number 0" : "there are not so many devices");
+    return STATUS_OK;
+}
+
+static enum status cuda_info(int index, struct device_info *info, struct error *e)
+{
+    struct cudaDeviceProp p;
+    memset(info, 0, sizeof *info);
+    if (cuda_exists(index, e))
+        return e->status;
     cudaError_t result = cudaSetDevice(index);
     if (result == cudaSuccess)
         result = cudaGetDeviceProperties(&p, index);
@@ -317,6 +324,7 @@ static void cuda_forget(struct device *d, struct device_graph *graph)
 
 extern "C" const struct device_row device_cuda = {
     .count = cuda_count,
+    .exists = cuda_exists,
     .info = cuda_info,
     .open = cuda_open,
     .close = cuda_close,

@@ -92,12 +92,17 @@ static int host_count(const char **why)
     return 1;
 }
 
+static enum status host_exists(int index, struct error *e)
+{
+    return index == 0 ? STATUS_OK : error_set(e, STATUS_USAGE, "there is one host");
+}
+
 static enum status host_info(int index, struct device_info *info, struct error *e)
 {
     const char *what;
     *info = (struct device_info){.name = "host"};
     info->memory = info->free = (size_t)machine_memory(&what);
-    return index == 0 ? STATUS_OK : error_set(e, STATUS_USAGE, "there is one host");
+    return host_exists(index, e);
 }
 
 static enum status host_open(struct device **d, int index, struct error *e)
@@ -290,6 +295,7 @@ static double host_peak(struct device *d)
 
 const struct device_row device_host = {
     .count = host_count,
+    .exists = host_exists,
     .info = host_info,
     .open = host_open,
     .close = host_close,

@@ -76,7 +76,9 @@ enum status budget_check(const struct plan *plan, bool asks_device, struct error
                          scene->source, d, most, wall > fluid ? " in the walls" : "",
                          PARTICLES_MAX, d * cbrt(most / PARTICLES_MAX) * 1.01);
     if (have == 0 || bytes <= have)
-        return asks_device ? device_check(plan, fluid, wall, e) : STATUS_OK;
+        return asks_device                              ? device_check(plan, fluid, wall, e)
+               : plan->backend && plan->backend->exists ? plan->backend->exists(plan->device, e)
+                                                        : STATUS_OK;
     return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles (and "
                      "%.4g in walls), which take %.4g GB (%.0f bytes each), but there are %.4g GB "
                      "(%s): use a spacing of %.3g m or more, or smaller bodies",

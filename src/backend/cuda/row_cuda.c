@@ -26,6 +26,12 @@ static bool available(const char **why)
     return device_cuda.count(why) > 0 && kernels_cuda_load(0, why);
 }
 
+static enum status exists(int device, struct error *e)
+{
+    e->status = STATUS_OK;
+    return device_cuda.exists(device, e);
+}
+
 static double memory(int device, char name[64], struct error *e)
 {
     struct device_info info;
@@ -40,6 +46,7 @@ const struct backend_row backend_cuda = {
     .has_devices = true,
     .device = &device_cuda,
     .available = available,
+    .exists = exists,
     .memory = memory,
     .open = open_cuda,
     CUDA_FUNCTIONS,
