@@ -19,6 +19,6 @@ compare "muller" scenes/muller-splash.json --set particles.spacing=0.07 --end 0.
 compare "periodic" tests/scenes/periodic.json
 compare "particle shifting" tests/scenes/taylor-green.json
 compare "shifting between wall particles" tests/scenes/wall-particles.json --set solver.shifting=on
-compare "obstacles" tests/scenes/obstacles.json --set 'solver={"method": "wcsph"}' --fps 30
-compare "obstacles, dfsph" tests/scenes/obstacles.json --set 'solver={"method": "dfsph"}' --fps 30
+compare "obstacles" tests/scenes/obstacles.json --set 'solver={"method": "wcsph"}' --set particles.spacing=0.035 --end 0.35 --fps 40
+compare "obstacles, dfsph" tests/scenes/obstacles.json --set 'solver={"method": "dfsph"}' --set particles.spacing=0.035 --end 1 --fps 15
 echo "1..$n"

@@ -10,7 +10,7 @@ compare "dam break" scenes/dambreak.json --set particles.spacing=0.055 --set 'so
 compare "vortices, enclosed" tests/scenes/projection-vortices.json
 compare "two fluids" tests/scenes/projection-two-fluids.json
 compare "wall particles" tests/scenes/projection-wall-particles.json
-compare "obstacles" tests/scenes/obstacles.json --fps 40
+compare "obstacles" tests/scenes/obstacles.json --set particles.spacing=0.035 --end 0.8 --fps 40
 compare "drop in another fluid" tests/scenes/drop-in-fluid.json --end 0.03 --fps 1000
 compare "cubic spline" tests/scenes/projection-two-fluids.json --set 'solver.kernel="cubic-spline"' --end 0.8
 echo "1..$n"
