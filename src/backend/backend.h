@@ -69,7 +69,7 @@ struct backend_row {
     const struct device_row *device; /* whose memory particles are in; NULL: the host's */
     /* Whether it can run here, else why not; NULL: everywhere. */
     bool (*available)(const char **why);
-    /* STATUS_BACKEND when there is no such device, which is left alone; NULL: there are none. */
+    /* STATUS_BACKEND when there is no such device, which is not touched; NULL: as of memory. */
     enum status (*exists)(int device, struct error *e);
     /* Free memory of a device, bytes, and its name; NULL: particles are in the host's. */
     double (*memory)(int device, char name[64], struct error *e);

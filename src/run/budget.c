@@ -42,12 +42,15 @@ static double device_bytes(const struct plan *plan)
            (plan->draws ? FILM_SNAPSHOTS * SNAPSHOT_BYTES + DRAWN_BYTES : 0);
 }
 
-/* The same for a device that was asked for; `fluid` and `wall` are numbers of particles. */
-static enum status device_check(const struct plan *plan, double fluid, double wall, struct error *e)
+/* The same for a device that was asked for; `fluid` and `wall` are numbers of particles. If it is not to be touched, it
+ * only has to be there. */
+static enum status device_check(const struct plan *plan, double fluid, double wall, bool touch, struct error *e)
 {
     char name[64] = "";
     if (!plan->backend || !plan->backend->memory)
         return STATUS_OK;
+    if (!touch)
+        return plan->backend->exists(plan->device, e);
     double have = plan->backend->memory(plan->device, name, e);
     double drawn = plan->draws && plan->scene->render.boundary ? FILM_SNAPSHOTS * SNAPSHOT_BYTES + DRAWN_BYTES : 0;
     double bytes = fluid * device_bytes(plan) + wall * (wall_bytes() + drawn);
@@ -61,7 +64,7 @@ static enum status device_check(const struct plan *plan, double fluid, double wa
                      d * cbrt(bytes / fmax(have, 1)) * 1.01);
 }
 
-enum status budget_check(const struct plan *plan, bool asks_device, struct error *e)
+enum status budget_check(const struct plan *plan, bool touch, struct error *e)
 {
     const struct scene *scene = plan->scene;
     double fluid = fill_bodies_estimate(scene), d = scene->particles.spacing;
@@ -76,9 +79,7 @@ enum status budget_check(const struct plan *plan, bool asks_device, struct error
                          scene->source, d, most, wall > fluid ? " in the walls" : "",
                          PARTICLES_MAX, d * cbrt(most / PARTICLES_MAX) * 1.01);
     if (have == 0 || bytes <= have)
-        return asks_device                              ? device_check(plan, fluid, wall, e)
-               : plan->backend && plan->backend->exists ? plan->backend->exists(plan->device, e)
-                                                        : STATUS_OK;
+        return device_check(plan, fluid, wall, touch, e);
     return error_set(e, STATUS_RUN, "%s: particles.spacing %g m makes about %.4g particles (and "
                      "%.4g in walls), which take %.4g GB (%.0f bytes each), but there are %.4g GB "
                      "(%s): use a spacing of %.3g m or more, or smaller bodies",

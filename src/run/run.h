@@ -19,7 +19,7 @@ struct run_options {
     int sheet[2];               /* columns and rows of pictures in one frame; 0: none */
     int threads;                /* 0: all processors */
     bool timed;                 /* each pass by itself, for bench */
-    bool elsewhere;             /* another process will run it: a device only has to be there, since it may serve one process */
+    bool elsewhere;             /* another process will run it: devices are not touched, since one may serve one process */
     bool strict;                /* a step shorter than time.step is an error */
     const char *backend;        /* row of the table "backends", or "auto" */
     const char *renderer;       /* row of the table "renderers", or "auto" */

@@ -11,13 +11,11 @@ static enum status open_cuda(struct backend **out, const struct backend_setup *s
                              struct particles *particles, struct particles *walls, struct error *e)
 {
     const char *why;
-    struct device_info info;
-    if (device_cuda.info(setup->device, &info, e))
+    if (device_cuda.exists(setup->device, e))
         return e->status;
     if (!kernels_cuda_load(setup->device, &why))
-        return error_set(e, STATUS_BACKEND, "cuda:%d, %s of compute capability %d.%d, cannot run this program: %s; "
-                         "use --backend cpu, or build for it (make CUDA_ARCHS=%d)", setup->device, info.name,
-                         info.compute / 10, info.compute % 10, why, info.compute);
+        return error_set(e, STATUS_BACKEND, "cuda:%d cannot run this program: %s; use --backend cpu, or build for its "
+                         "compute capability (make CUDA_ARCHS=...; docs/gpus.md)", setup->device, why);
     return cuda_open_on(&device_cuda, kernels_cuda, out, setup, particles, walls, e);
 }
 
